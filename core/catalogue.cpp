@@ -1,0 +1,96 @@
+#include "core/catalogue.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+
+namespace pathrace {
+namespace {
+
+std::string spell_call(std::string_view name, const ParameterValues& values) {
+  std::string text(name);
+  char separator = ':';
+  for (const auto& [parameter, value] : values) {
+    text += fmt::format("{}{}={}", separator, parameter, value);
+    separator = ',';
+  }
+  return text;
+}
+
+ParameterValues values_beside_defaults(const PlannerCard& card, ParameterValues values) {
+  for (const ParameterCard& parameter : card.parameters) {
+    const auto value = values.find(parameter.name);
+    if (value != values.end() && value->second == parameter.default_value) values.erase(value);
+  }
+  return values;
+}
+
+}  // namespace
+
+PlannerCard without_parameters(PlannerCard card, Planner planner) {
+  card.complete = [](const ParameterValues& given) {
+    require_known(given, {});
+    return ParameterValues{};
+  };
+  card.make = [planner = std::move(planner)](const ParameterValues&) { return planner; };
+  return card;
+}
+
+PlannerCall parse_call(std::string_view text) {
+  PlannerCall call;
+  const std::size_t colon = text.find(':');
+  call.name = std::string(text.substr(0, colon));
+  if (call.name.empty()) throw InputError(fmt::format("planner call '{}' names no planner", text));
+  if (colon == std::string_view::npos) return call;
+  std::string_view rest = text.substr(colon + 1);
+  while (true) {
+    const std::size_t comma = rest.find(',');
+    const std::string_view item = rest.substr(0, comma);
+    const std::size_t equals = item.find('=');
+    if (equals == std::string_view::npos || equals == 0) {
+      throw InputError(fmt::format("planner call '{}': expected key=value, got '{}'", text, item));
+    }
+    const std::string key(item.substr(0, equals));
+    if (!call.values.emplace(key, item.substr(equals + 1)).second) {
+      throw InputError(fmt::format("planner call '{}' gives '{}' twice", text, key));
+    }
+    if (comma == std::string_view::npos) return call;
+    rest = rest.substr(comma + 1);
+  }
+}
+
+std::string Entrant::full_call() const {
+  return spell_call(card->name, values);
+}
+
+Catalogue::Catalogue(std::vector<PlannerCard> cards) : cards_(std::move(cards)) {
+  std::sort(cards_.begin(), cards_.end(),
+            [](const PlannerCard& a, const PlannerCard& b) { return a.name < b.name; });
+}
+
+const PlannerCard& Catalogue::find(std::string_view name) const {
+  std::vector<std::string> known;
+  for (const PlannerCard& card : cards_) {
+    if (card.name == name) return card;
+    known.push_back(card.name);
+  }
+  throw InputError(unknown_name("planner", name, known));
+}
+
+Entrant Catalogue::enter(const PlannerCall& call, std::string label) const {
+  const PlannerCard& card = find(call.name);
+  Entrant entrant;
+  entrant.card = &card;
+  try {
+    entrant.values = card.complete(call.values);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("planner '{}': {}", call.name, error.what()));
+  }
+  entrant.label =
+      label.empty() ? spell_call(card.name, values_beside_defaults(card, entrant.values)) : std::move(label);
+  return entrant;
+}
+
+}  // namespace pathrace

@@ -1,0 +1,96 @@
+// The catalogue: a card for each planner, and the way from a call like `as:ants=20` to a planner.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/budget.hpp"
+#include "core/parameters.hpp"
+#include "core/planner.hpp"
+
+namespace pathrace {
+
+enum class Kind { aco, ga, pso, search, any_angle, ompl, navigator, floor };
+
+template <>
+inline constexpr auto names_of<Kind> = std::to_array<std::pair<Kind, std::string_view>>({
+    {Kind::aco, "aco"},
+    {Kind::ga, "ga"},
+    {Kind::pso, "pso"},
+    {Kind::search, "search"},
+    {Kind::any_angle, "any_angle"},
+    {Kind::ompl, "ompl"},
+    {Kind::navigator, "navigator"},
+    {Kind::floor, "floor"},
+});
+
+/// All that is known about a planner without running it.
+struct PlannerCard {
+  std::string name;
+  Kind kind = Kind::search;
+  Track track = Track::lattice;
+  bool deterministic = true;  ///< the same key gives the same record
+  int version = 1;            ///< raised whenever the same key may give another record
+  std::string summary;        ///< one line
+  std::string source;         ///< paper and equations, or the section of the specification
+  Budget default_budget;      ///< used when none is given; the paper's, where it states one
+  std::vector<ParameterCard> parameters;
+  /// Every parameter in canonical spelling, given values over the defaults. Throws InputError.
+  std::function<ParameterValues(const ParameterValues&)> complete;
+  /// The planner with these settings. Throws InputError.
+  std::function<Planner(const ParameterValues&)> make;
+};
+
+/// Fills in `parameters`, `complete` and `make` from a schema and a factory `Planner(const Settings&)`.
+template <typename Settings, typename Factory>
+PlannerCard with_parameters(PlannerCard card, const Schema<Settings>& schema, Factory factory) {
+  card.parameters = schema.cards();
+  card.complete = [schema](const ParameterValues& given) { return schema.print(schema.settings(given)); };
+  card.make = [schema, factory](const ParameterValues& given) -> Planner {
+    return factory(schema.settings(given));
+  };
+  return card;
+}
+
+/// For planners without parameters.
+PlannerCard without_parameters(PlannerCard card, Planner planner);
+
+/// A planner's name with the values a user gave: `as:dead_end=backtrack,ants=20`.
+struct PlannerCall {
+  std::string name;
+  ParameterValues values;
+};
+
+/// Throws InputError on a malformed call.
+PlannerCall parse_call(std::string_view text);
+
+/// A card and settled values; everything a trial needs to run a planner.
+struct Entrant {
+  const PlannerCard* card = nullptr;
+  ParameterValues values;  ///< complete, canonical
+  std::string
+      label;  ///< how tables name it: the given label, or the call with what differs from the defaults
+
+  /// The call with every parameter, defaults included; part of a trial's key.
+  std::string full_call() const;
+};
+
+class Catalogue {
+ public:
+  explicit Catalogue(std::vector<PlannerCard> cards);
+
+  const std::vector<PlannerCard>& cards() const { return cards_; }
+  /// Throws InputError that names the nearest match.
+  const PlannerCard& find(std::string_view name) const;
+  /// Settles a call's values; the label defaults to the shortest call that means the same.
+  Entrant enter(const PlannerCall& call, std::string label = "") const;
+
+ private:
+  std::vector<PlannerCard> cards_;
+};
+
+}  // namespace pathrace

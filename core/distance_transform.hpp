@@ -1,0 +1,32 @@
+// Exact Euclidean distance transform of a grid.
+//
+// A. Meijster, J. Roerdink, W. Hesselink, "A general algorithm for computing distance transforms in
+// linear time", 2000: one pass down and up each column, then the lower envelope of parabolas along
+// each row; integers throughout, so the squared distances are exact.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/cell.hpp"
+#include "core/grid.hpp"
+
+namespace pathrace {
+
+class DistanceTransform {
+ public:
+  explicit DistanceTransform(const OccupancyGrid& grid);
+
+  /// Squared distance, in cells, from a cell's centre to the nearest blocked cell's centre; every cell
+  /// outside the map counts as blocked. 0 for a blocked cell.
+  std::int64_t squared(Cell cell) const {
+    return squared_[static_cast<std::size_t>(cell.y) * width_ + static_cast<std::size_t>(cell.x)];
+  }
+  double distance(Cell cell) const;
+
+ private:
+  std::size_t width_;
+  std::vector<std::int64_t> squared_;
+};
+
+}  // namespace pathrace

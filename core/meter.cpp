@@ -1,0 +1,46 @@
+#include "core/meter.hpp"
+
+#include <algorithm>
+
+namespace pathrace {
+
+Meter::Meter(const Budget& budget) : budget_(budget), begin_(std::chrono::steady_clock::now()) {}
+
+bool Meter::spent() const {
+  return evaluations_left() == 0 || checks_left() == 0 || left(budget_.iterations, work_.iterations) == 0 ||
+         timed();
+}
+
+bool Meter::exhausted() const {
+  return spent() || out_of_time();
+}
+
+bool Meter::out_of_time() const {
+  if (!budget_.wall_s) return false;
+  if (timed()) return true;
+  if (elapsed_s() < *budget_.wall_s) return false;
+  timed_.store(true, std::memory_order_relaxed);
+  return true;
+}
+
+bool Meter::exceeded() const {
+  const auto above = [](const std::optional<std::uint64_t>& limit, std::uint64_t count) {
+    return limit && count > *limit;
+  };
+  return above(budget_.evaluations, work_.evaluations) || above(budget_.iterations, work_.iterations) ||
+         above(budget_.checks, work_.checks);
+}
+
+std::size_t Meter::admitted(std::size_t wanted) const {
+  return static_cast<std::size_t>(std::min<std::uint64_t>(wanted, evaluations_left()));
+}
+
+void Meter::improved(double cost) {
+  if (trace_.empty() || cost < trace_.back().cost) trace_.push_back({work_, elapsed_s(), cost});
+}
+
+double Meter::elapsed_s() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+}
+
+}  // namespace pathrace

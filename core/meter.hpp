@@ -1,0 +1,79 @@
+// The meter: spends a trial's budget, counts its work and records each improvement.
+//
+// A planner asks the meter what it may still do and tells it what it did; the harness reads the counters.
+// Only `out_of_time` may be called from inside a parallel loop; everything else belongs to the thread
+// that runs the planner.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "core/budget.hpp"
+
+namespace pathrace {
+
+struct Work {
+  std::uint64_t evaluations = 0;
+  std::uint64_t iterations = 0;
+  std::uint64_t checks = 0;
+
+  friend bool operator==(const Work&, const Work&) = default;
+};
+
+/// One improvement of the best cost so far, with the work and the time spent until then.
+struct TracePoint {
+  Work work;
+  double wall_s = 0;
+  double cost = 0;
+};
+
+class Meter {
+ public:
+  static constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
+
+  explicit Meter(const Budget& budget);
+
+  /// True when a limit is reached. The main loop of every planner asks this.
+  bool exhausted() const;
+  /// True once the wall-time limit has passed; the trial is then marked `timed`. Safe in parallel loops.
+  bool out_of_time() const;
+
+  std::uint64_t evaluations_left() const { return left(budget_.evaluations, work_.evaluations); }
+  std::uint64_t checks_left() const { return left(budget_.checks, work_.checks); }
+  /// How many of `wanted` evaluations the budget still admits: the last batch is cut, never exceeded.
+  std::size_t admitted(std::size_t wanted) const;
+
+  void spend_evaluations(std::uint64_t count) { work_.evaluations += count; }
+  void spend_checks(std::uint64_t count) { work_.checks += count; }
+  void end_iteration() { ++work_.iterations; }
+
+  /// Records the cost when it is below every cost before; the trace strictly falls.
+  void improved(double cost);
+
+  const Work& work() const { return work_; }
+  const std::vector<TracePoint>& trace() const { return trace_; }
+  bool timed() const { return timed_.load(std::memory_order_relaxed); }
+  /// True when a limit on work or time has been reached, without reading the clock.
+  bool spent() const;
+  /// True when some counter is above its limit: the planner broke the rules.
+  bool exceeded() const;
+  double elapsed_s() const;
+
+ private:
+  static std::uint64_t left(const std::optional<std::uint64_t>& limit, std::uint64_t spent) {
+    if (!limit) return unlimited;
+    return spent < *limit ? *limit - spent : 0;
+  }
+
+  Budget budget_;
+  Work work_;
+  std::vector<TracePoint> trace_;
+  std::chrono::steady_clock::time_point begin_;
+  mutable std::atomic<bool> timed_{false};
+};
+
+}  // namespace pathrace
