@@ -4,13 +4,15 @@
 function(pathrace_build_flags target)
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # g++ 12 sees overlaps in std::string that are not there
     -ffp-contract=off
     $<$<CONFIG:Release>:-O3>)
   if(PATHRACE_ARCH)
     target_compile_options(${target} PRIVATE -march=${PATHRACE_ARCH})
   endif()
   if(PATHRACE_SANITIZE)
-    target_compile_options(${target} PRIVATE -fsanitize=${PATHRACE_SANITIZE} -fno-omit-frame-pointer)
+    target_compile_options(${target} PRIVATE
+      -fsanitize=${PATHRACE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
     target_link_options(${target} PRIVATE -fsanitize=${PATHRACE_SANITIZE})
   endif()
 endfunction()
@@ -20,7 +22,8 @@ function(pathrace_room room)
   set(folder ${PROJECT_SOURCE_DIR}/${room})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.cpp)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${folder}/*.hpp)
-  list(FILTER sources EXCLUDE REGEX "/bench/(main\\.cpp$|micro/)")
+  list(FILTER sources EXCLUDE REGEX "/bench/(main\\.cpp$|cli/|micro/)")
+  list(FILTER headers EXCLUDE REGEX "/bench/cli/")
 
   add_library(pathrace_${room} STATIC ${sources})
   add_library(pathrace::${room} ALIAS pathrace_${room})

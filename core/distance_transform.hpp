@@ -24,6 +24,9 @@ class DistanceTransform {
   }
   double distance(Cell cell) const;
 
+  int width() const { return static_cast<int>(width_); }
+  int height() const { return static_cast<int>(squared_.size() / width_); }
+
  private:
   std::size_t width_;
   std::vector<std::int64_t> squared_;

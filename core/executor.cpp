@@ -25,4 +25,9 @@ void ThreadCensus::note() {
   }
 }
 
+void ThreadCensus::clear() {
+  for (std::atomic<std::size_t>& slot : seen_) slot.store(0, std::memory_order_relaxed);
+  count_.store(0, std::memory_order_relaxed);
+}
+
 }  // namespace pathrace

@@ -40,6 +40,8 @@ class ThreadCensus {
   /// Called once per chunk by whoever runs it. Lock-free; counts up to 256 threads.
   void note();
   int count() const { return count_.load(std::memory_order_relaxed); }
+  /// Forgets everybody. Not while a loop runs.
+  void clear();
 
  private:
   static constexpr std::size_t max_threads = 256;
@@ -57,8 +59,10 @@ class Executor {
   virtual std::string_view name() const = 0;
   /// The most threads that it may use, the caller included.
   virtual int threads() const = 0;
-  /// How many different threads have run a chunk so far.
+  /// How many different threads have run a chunk since the census began.
   int threads_used() const { return std::max(1, census_.count()); }
+  /// Starts counting threads afresh; between trials, never while a loop runs.
+  void restart_census() { census_.clear(); }
 
   /// Calls `body` on chunks of at most `grain` indices that cover 0..count-1 once, and returns when all are
   /// done. May be called from inside a body. When bodies throw, every chunk still runs or is skipped, and

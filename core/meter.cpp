@@ -36,7 +36,8 @@ std::size_t Meter::admitted(std::size_t wanted) const {
 }
 
 void Meter::improved(double cost) {
-  if (trace_.empty() || cost < trace_.back().cost) trace_.push_back({work_, elapsed_s(), cost});
+  const double best = trace_.empty() ? std::numeric_limits<double>::infinity() : trace_.back().cost;
+  if (cost < best) trace_.push_back({work_, elapsed_s(), cost});
 }
 
 double Meter::elapsed_s() const {

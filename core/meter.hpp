@@ -51,8 +51,12 @@ class Meter {
   void spend_checks(std::uint64_t count) { work_.checks += count; }
   void end_iteration() { ++work_.iterations; }
 
-  /// Records the cost when it is below every cost before; the trace strictly falls.
+  /// Records the cost when it is finite and below every cost before; the trace strictly falls.
   void improved(double cost);
+
+  /// The planner has nothing left to try: an empty answer is then its last word, not a spent budget.
+  void conclude() { concluded_ = true; }
+  bool concluded() const { return concluded_; }
 
   const Work& work() const { return work_; }
   const std::vector<TracePoint>& trace() const { return trace_; }
@@ -72,6 +76,7 @@ class Meter {
   Budget budget_;
   Work work_;
   std::vector<TracePoint> trace_;
+  bool concluded_ = false;
   std::chrono::steady_clock::time_point begin_;
   mutable std::atomic<bool> timed_{false};
 };

@@ -68,13 +68,21 @@ Cell nearest_cell(Point point) {
   return {static_cast<int>(std::floor(point.x + 0.5)), static_cast<int>(std::floor(point.y + 0.5))};
 }
 
-// The cells whose clearance counts: those of the path, and on longer segments one about every cell edge.
+// A point on the map's edge rounds to a cell outside; the cell beside it counts.
+double clearance_at(const DistanceTransform& clearance, Cell cell) {
+  return clearance.distance(
+      {std::clamp(cell.x, 0, clearance.width() - 1), std::clamp(cell.y, 0, clearance.height() - 1)});
+}
+
+// The cells whose clearance counts: those of the path, and on longer segments one in every row or column
+// that they cross, so that a long segment counts the cells that steps along it would.
 std::vector<Cell> visited_cells(const Path& path) {
   std::vector<Cell> cells{nearest_cell(path.points.front())};
   for (std::size_t i = 1; i < path.points.size(); ++i) {
     const Point a = path.points[i - 1];
     const Point b = path.points[i];
-    const int pieces = std::max(1, static_cast<int>(std::ceil(Segment{b.x - a.x, b.y - a.y}.length() / 1.5)));
+    const int pieces =
+        std::max(1, static_cast<int>(std::ceil(std::max(std::fabs(b.x - a.x), std::fabs(b.y - a.y)))));
     for (int k = 1; k <= pieces; ++k) {
       const double t = static_cast<double>(k) / pieces;
       cells.push_back(k == pieces ? nearest_cell(b)
@@ -96,9 +104,9 @@ PathMetrics measure(const Path& path, const DistanceTransform& clearance) {
   }
   const std::vector<Cell> cells = visited_cells(path);
   double sum = 0;
-  metrics.clearance_min = clearance.distance(cells.front());
+  metrics.clearance_min = clearance_at(clearance, cells.front());
   for (const Cell cell : cells) {
-    const double distance = clearance.distance(cell);
+    const double distance = clearance_at(clearance, cell);
     metrics.clearance_min = std::min(metrics.clearance_min, distance);
     sum += distance;
   }

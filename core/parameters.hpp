@@ -131,8 +131,8 @@ void require_known(const ParameterValues& given, const std::vector<ParameterCard
 template <typename Settings>
 class Schema {
  public:
-  Schema(std::vector<Field<Settings>> fields)
-      : fields_(std::move(fields)) {}  // NOLINT(google-explicit-constructor)
+  // NOLINTNEXTLINE(google-explicit-constructor): a list of fields is a schema
+  Schema(std::vector<Field<Settings>> fields) : fields_(std::move(fields)) {}
 
   std::vector<ParameterCard> cards() const {
     std::vector<ParameterCard> cards;

@@ -95,6 +95,17 @@ bool closed_corner(const OccupancyGrid& grid, Cell upper_left) {
   return a == d && b == c && a != b;
 }
 
+// The line between two blocked cells that share an edge is in neither open square, and yet inside a wall.
+// Does the segment run along the lower edge of this blocked cell, and is the cell below blocked too?
+bool slides_below(const OccupancyGrid& grid, Point p, Point q, Cell cell) {
+  return p.y == cell.y + 0.5 && q.y == p.y && std::min(p.x, q.x) < cell.x + 0.5 &&
+         std::max(p.x, q.x) > cell.x - 0.5 && !grid.is_free({cell.x, cell.y + 1});
+}
+bool slides_right(const OccupancyGrid& grid, Point p, Point q, Cell cell) {
+  return p.x == cell.x + 0.5 && q.x == p.x && std::min(p.y, q.y) < cell.y + 0.5 &&
+         std::max(p.y, q.y) > cell.y - 0.5 && !grid.is_free({cell.x + 1, cell.y});
+}
+
 std::string segment_fault(const OccupancyGrid& grid, Point p, Point q) {
   const int left = static_cast<int>(std::floor(std::min(p.x, q.x)));
   const int right = static_cast<int>(std::ceil(std::max(p.x, q.x)));
@@ -110,6 +121,10 @@ std::string segment_fault(const OccupancyGrid& grid, Point p, Point q) {
         return fmt::format("{} to {} passes between blocked cells at {},{}", text(p), text(q), x + 0.5,
                            y + 0.5);
       }
+      if (!grid.is_free(cell) && (slides_below(grid, p, q, cell) || slides_right(grid, p, q, cell))) {
+        return fmt::format("{} to {} passes between blocked cells along the edge of {},{}", text(p), text(q),
+                           x, y);
+      }
     }
   }
   return "";
@@ -121,8 +136,9 @@ std::string any_angle_fault(const Path& path, const OccupancyGrid& grid) {
         point.x >= -0.5 && point.y >= -0.5 && point.x <= grid.width() - 0.5 && point.y <= grid.height() - 0.5;
     if (!inside) return fmt::format("{} is outside the map", text(point));  // NaN lands here too
   }
-  for (std::size_t i = 1; i < path.points.size(); ++i) {
-    std::string fault = segment_fault(grid, path.points[i - 1], path.points[i]);
+  for (std::size_t i = 0; i < path.points.size(); ++i) {
+    const Point previous = path.points[i == 0 ? 0 : i - 1];
+    std::string fault = segment_fault(grid, previous, path.points[i]);
     if (!fault.empty()) return fault;
   }
   return "";

@@ -5,7 +5,7 @@
 //
 // Any-angle rule: a blocked cell is the open square of side 1 around its centre. A segment may touch an
 // edge or a corner, may not enter a square, and may not pass between two blocked cells that touch at a
-// corner. What lies outside the map is blocked.
+// corner or share an edge. What lies outside the map is blocked.
 #pragma once
 
 #include <optional>

@@ -66,7 +66,8 @@ class Stream {
   }
   /// Uniform in first..last, both included. first <= last.
   int between(int first, int last) {
-    return first + static_cast<int>(below(static_cast<std::uint64_t>(std::int64_t{last} - first) + 1));
+    const auto count = static_cast<std::uint64_t>(std::int64_t{last} - first) + 1;
+    return static_cast<int>(first + static_cast<std::int64_t>(below(count)));
   }
   bool chance(double probability) { return uniform() < probability; }
 

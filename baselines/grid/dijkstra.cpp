@@ -1,0 +1,18 @@
+// Dijkstra's algorithm: A* without a heuristic.
+#include "baselines/grid/grid_search.hpp"
+#include "core/catalogue.hpp"
+
+namespace pathrace::baselines {
+
+PlannerCard dijkstra_card() {
+  PlannerCard card;
+  card.name = "dijkstra";
+  card.kind = Kind::search;
+  card.summary = "Dijkstra's algorithm on the grid: an optimal path without a heuristic";
+  card.source = "E. W. Dijkstra, Numerische Mathematik 1, 1959";
+  return without_parameters(std::move(card), [](const Terrain& terrain) -> std::unique_ptr<MapPlanner> {
+    return std::make_unique<GridSearch<ZeroDistance>>(terrain);
+  });
+}
+
+}  // namespace pathrace::baselines

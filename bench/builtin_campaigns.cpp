@@ -1,0 +1,91 @@
+// The campaigns that come with the program, as the files they would be.
+#include <array>
+
+#include "bench/campaign.hpp"
+#include "core/error.hpp"
+#include "core/names.hpp"
+
+namespace pathrace::bench {
+namespace {
+
+struct Builtin {
+  std::string_view name;
+  std::string_view toml;
+};
+
+constexpr std::array<Builtin, 2> builtins = {{
+    {"starter", R"(
+[campaign]
+name = "starter"
+seed = 1
+repetitions = 2
+
+[budget]
+evaluations = 5000
+checks = 2000000
+
+[[planner]]
+name = "as"
+[[planner]]
+name = "as"
+params = { dead_end = "backtrack" }
+[[planner]]
+name = "greedy"
+[[planner]]
+name = "random-walk"
+[[planner]]
+name = "astar"
+[[planner]]
+name = "dijkstra"
+
+[[scenarios]]
+select = ["dense/10-20/1..10", "dense/10-30/1..10", "dense/20-20/1..20", "dense/20-30/1..20",
+          "trap-*/10/1..5", "trap-*/20/1..10", "asr/*"]
+)"},
+    {"smoke", R"(
+[campaign]
+name = "smoke"
+seed = 1
+repetitions = 2
+
+[budget]
+evaluations = 250
+checks = 60000
+
+[[planner]]
+name = "as"
+params = { dead_end = ["die", "backtrack", "revisit_with_loop_erasure"], ants = 20 }
+[[planner]]
+name = "as"
+label = "as literal"
+params = { heuristic = "inv_step", beta = 2.5, alpha = 1.5, answer = "argmax_pheromone" }
+[[planner]]
+name = "greedy"
+[[planner]]
+name = "random-walk"
+[[planner]]
+name = "astar"
+[[planner]]
+name = "dijkstra"
+
+[[scenarios]]
+select = ["dense/10-20/1..2", "dense/20-20/1..2", "dense/20-30/1..2", "trap-*/10/1", "trap-*/20/1", "asr/*"]
+)"},
+}};
+
+}  // namespace
+
+Campaign builtin_campaign(std::string_view name) {
+  for (const Builtin& builtin : builtins) {
+    if (builtin.name == name) return parse_campaign(builtin.toml, "built-in campaign " + std::string(name));
+  }
+  throw InputError(unknown_name("campaign", name, builtin_campaigns()));
+}
+
+std::vector<std::string> builtin_campaigns() {
+  std::vector<std::string> names;
+  for (const Builtin& builtin : builtins) names.emplace_back(builtin.name);
+  return names;
+}
+
+}  // namespace pathrace::bench

@@ -1,0 +1,194 @@
+// From TOML to a campaign, with the place of every fault.
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "bench/campaign.hpp"
+#include "core/error.hpp"
+#include "core/names.hpp"
+#include "core/parameters.hpp"
+
+namespace pathrace::bench {
+namespace {
+
+constexpr std::uint64_t most_repetitions = 1'000'000;
+
+class Parser {
+ public:
+  explicit Parser(std::string file) : file_(std::move(file)) {}
+
+  Campaign campaign(const toml::table& root) const {
+    require_keys(root, {"campaign", "budget", "planner", "scenarios"});
+    Campaign campaign;
+    const toml::table& head = table_at(root, "campaign", root);
+    require_keys(head, {"name", "seed", "repetitions", "maps"});
+    campaign.name = text(need(head, "name"));
+    if (campaign.name.empty() || campaign.name.find('/') != std::string::npos) {
+      fail(need(head, "name"),
+           "campaign.name must be a word that can name a folder, got '" + campaign.name + "'");
+    }
+    if (const toml::node* node = head.get("seed")) campaign.seed = count(*node, "seed", 0, INT64_MAX);
+    if (const toml::node* node = head.get("repetitions")) {
+      campaign.repetitions = count(*node, "repetitions", 1, most_repetitions);
+    }
+    if (const toml::node* node = head.get("maps")) campaign.maps = text(*node);
+    if (const toml::node* node = root.get("budget")) campaign.budget = budget(*node);
+    for (const toml::node& node : tables_at(root, "planner"))
+      campaign.planners.push_back(planner(*node.as_table()));
+    for (const toml::node& node : tables_at(root, "scenarios")) {
+      campaign.scenarios.push_back(scenarios(*node.as_table()));
+    }
+    return campaign;
+  }
+
+  [[noreturn]] void fail(const toml::source_region& where, const std::string& what) const {
+    throw InputError(fmt::format("{}:{}:{}: {}", file_, where.begin.line, where.begin.column, what));
+  }
+
+ private:
+  [[noreturn]] void fail(const toml::node& node, const std::string& what) const { fail(node.source(), what); }
+
+  void require_keys(const toml::table& table, const std::vector<std::string>& known) const {
+    for (const auto& [key, node] : table) {
+      bool found = false;
+      for (const std::string& candidate : known) found = found || candidate == key.str();
+      if (!found) fail(key.source(), unknown_name("key", key.str(), known));
+    }
+  }
+
+  const toml::node& need(const toml::table& table, std::string_view key) const {
+    const toml::node* node = table.get(key);
+    if (node == nullptr) fail(table, fmt::format("'{}' is missing", key));
+    return *node;
+  }
+
+  const toml::table& table_at(const toml::table& parent, std::string_view key,
+                              const toml::node& where) const {
+    const toml::node* node = parent.get(key);
+    if (node == nullptr) fail(where, fmt::format("the table [{}] is missing", key));
+    if (!node->is_table()) fail(*node, fmt::format("'{}' must be a table, [{}]", key, key));
+    return *node->as_table();
+  }
+
+  const toml::array& tables_at(const toml::table& root, std::string_view key) const {
+    const toml::node* node = root.get(key);
+    if (node == nullptr) fail(root, fmt::format("at least one [[{}]] is needed", key));
+    const toml::array* list = node->as_array();
+    if (list == nullptr || list->empty())
+      fail(*node, fmt::format("'{}' must be a list of tables, [[{}]]", key, key));
+    for (const toml::node& item : *list) {
+      if (!item.is_table()) fail(item, fmt::format("'{}' must be a list of tables, [[{}]]", key, key));
+    }
+    return *list;
+  }
+
+  std::string text(const toml::node& node) const {
+    if (const auto value = node.value_exact<std::string>()) return *value;
+    fail(node, "expected a text in quotes");
+  }
+
+  std::uint64_t count(const toml::node& node, std::string_view what, std::int64_t low,
+                      std::int64_t high) const {
+    const auto value = node.value_exact<std::int64_t>();
+    if (!value) fail(node, fmt::format("'{}' must be an integer in {}..{}", what, low, high));
+    if (*value < low || *value > high) {
+      fail(node, fmt::format("'{}' must be an integer in {}..{}, got {}", what, low, high, *value));
+    }
+    return static_cast<std::uint64_t>(*value);
+  }
+
+  Budget budget(const toml::node& node) const {
+    const toml::table* table = node.as_table();
+    if (table == nullptr) fail(node, "'budget' must be a table");
+    require_keys(*table, {"evaluations", "iterations", "checks", "wall_s"});
+    Budget budget;
+    const auto limit = [&](std::string_view key) -> std::optional<std::uint64_t> {
+      const toml::node* value = table->get(key);
+      if (value == nullptr) return std::nullopt;
+      return count(*value, key, 1, INT64_MAX);
+    };
+    budget.evaluations = limit("evaluations");
+    budget.iterations = limit("iterations");
+    budget.checks = limit("checks");
+    if (const toml::node* wall = table->get("wall_s")) {
+      const auto seconds = wall->value<double>();
+      if (!seconds || !std::isfinite(*seconds) || *seconds <= 0)
+        fail(*wall, "'wall_s' must be a number of seconds above 0");
+      budget.wall_s = *seconds;
+    }
+    if (budget.unlimited()) fail(node, "a budget must limit evaluations, iterations, checks or wall_s");
+    return budget;
+  }
+
+  std::string parameter_value(const toml::node& node) const {
+    if (const auto value = node.value_exact<std::string>()) return *value;
+    if (const auto value = node.value_exact<bool>()) return *value ? "true" : "false";
+    if (const auto value = node.value_exact<std::int64_t>()) return std::to_string(*value);
+    if (const auto value = node.value_exact<double>()) return print_real(*value);
+    fail(node, "a parameter must be a number, a text, true or false, or a list of these");
+  }
+
+  PlannerChoice planner(const toml::table& table) const {
+    require_keys(table, {"name", "label", "params"});
+    PlannerChoice choice;
+    choice.name = text(need(table, "name"));
+    if (const toml::node* label = table.get("label")) choice.label = text(*label);
+    const toml::node* params = table.get("params");
+    if (params == nullptr) return choice;
+    if (!params->is_table()) fail(*params, "'params' must be a table, { name = value }");
+    for (const auto& [key, node] : *params->as_table()) {
+      std::vector<std::string> values;
+      if (const toml::array* list = node.as_array()) {
+        for (const toml::node& item : *list) values.push_back(parameter_value(item));
+        if (values.empty()) fail(node, "a list of values must not be empty");
+      } else {
+        values.push_back(parameter_value(node));
+      }
+      choice.values.emplace_back(std::string(key.str()), std::move(values));
+    }
+    return choice;
+  }
+
+  ScenarioChoice scenarios(const toml::table& table) const {
+    require_keys(table, {"select", "budget"});
+    ScenarioChoice choice;
+    const toml::node& select = need(table, "select");
+    const toml::array* list = select.as_array();
+    if (list == nullptr || list->empty()) fail(select, "'select' must be a list of scenario ids or patterns");
+    for (const toml::node& item : *list) choice.select.push_back(text(item));
+    if (const toml::node* node = table.get("budget")) choice.budget = budget(*node);
+    return choice;
+  }
+
+  std::string file_;
+};
+
+}  // namespace
+
+Campaign parse_campaign(std::string_view text, const std::string& file) {
+  const Parser parser(file);
+  toml::table root;
+  try {
+    root = toml::parse(text, file);
+  } catch (const toml::parse_error& error) {
+    parser.fail(error.source(), std::string(error.description()));
+  }
+  return parser.campaign(root);
+}
+
+Campaign read_campaign(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) {
+    throw InputError(fmt::format("{}: is a folder; expected a campaign file", file.string()));
+  }
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  if (in) text << in.rdbuf();
+  if (!in) throw InputError(fmt::format("{}: cannot be read; expected a campaign file", file.string()));
+  return parse_campaign(text.str(), file.string());
+}
+
+}  // namespace pathrace::bench

@@ -1,0 +1,33 @@
+// Options that several commands share.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "bench/runner.hpp"
+#include "core/budget.hpp"
+#include "core/cell.hpp"
+
+namespace pathrace::bench::cli {
+
+/// --backend, --threads, and --jobs when `jobs` is true; defaults: tbb, 1 thread, as many jobs as cores.
+void add_executor_options(CLI::App& command, RunOptions& options, bool jobs);
+
+/// Throws InputError for an unknown backend; names the nearest match.
+void require_backend(const RunOptions& options);
+
+/// --evaluations, --iterations, --checks, --wall. Any of them replaces the planner's default budget whole.
+void add_budget_options(CLI::App& command, Budget& budget);
+
+/// "3,4". Throws InputError that names the option.
+Cell parse_cell(const std::string& option, const std::string& text);
+
+int core_count();
+
+/// The folder of recorded maps: the given one, else `movingai` in the folder that PATHRACE_DATA names, if
+/// any.
+std::optional<std::filesystem::path> maps_folder(const std::string& given);
+
+}  // namespace pathrace::bench::cli

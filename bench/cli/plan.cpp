@@ -1,0 +1,168 @@
+// `plan`: one trial, looked at closely.
+#include <fmt/format.h>
+
+#include <fstream>
+#include <memory>
+#include <sstream>
+
+#include "bench/cli/command.hpp"
+#include "bench/cli/options.hpp"
+#include "bench/executors.hpp"
+#include "bench/roster.hpp"
+#include "bench/run_folder.hpp"
+#include "bench/trial.hpp"
+#include "core/error.hpp"
+#include "core/hash.hpp"
+#include "core/referee.hpp"
+#include "results/json.hpp"
+#include "results/row.hpp"
+#include "results/svg.hpp"
+#include "results/trace_csv.hpp"
+#include "scenarios/library.hpp"
+#include "scenarios/movingai/map_file.hpp"
+
+namespace pathrace::bench::cli {
+namespace {
+
+struct PlanCommand {
+  std::string scenario;
+  std::string map;
+  std::string start;
+  std::string goal;
+  std::string maps;
+  std::string planner;
+  std::string rule;
+  std::uint64_t seed = 1;
+  std::uint64_t repetition = 0;
+  Budget budget;
+  RunOptions options;
+  bool json = false;
+  std::string svg;
+  std::string trace;
+};
+
+Scenario scenario_on_map(const PlanCommand& command) {
+  if (command.start.empty() || command.goal.empty()) {
+    throw InputError("--map needs --start X,Y and --goal X,Y");
+  }
+  Scenario scenario;
+  scenario.start = parse_cell("--start", command.start);
+  scenario.goal = parse_cell("--goal", command.goal);
+  const scenarios::MapFile map = scenarios::MapFile::read(command.map);
+  const bool on_map = map.ground()->contains(scenario.start) && map.ground()->contains(scenario.goal);
+  scenario.terrain.grid = on_map ? map.grid_for(scenario.start, scenario.goal) : map.ground();
+  scenario.id = command.map;
+  require_valid(scenario);
+  scenario.id = fmt::format("map/{}/{},{}/{},{}", std::filesystem::path(command.map).stem().string(),
+                            scenario.start.x, scenario.start.y, scenario.goal.x, scenario.goal.y);
+  return scenario;
+}
+
+Scenario chosen_scenario(const PlanCommand& command) {
+  if (command.scenario.empty() == command.map.empty()) {
+    throw InputError("expected either --scenario ID or --map FILE --start X,Y --goal X,Y");
+  }
+  Scenario scenario = command.map.empty()
+                          ? scenarios::Library(maps_folder(command.maps)).load(command.scenario)
+                          : scenario_on_map(command);
+  if (!command.rule.empty()) {
+    const auto rule = parse_name<MoveRule>("move rule", command.rule);
+    if (rule != scenario.terrain.rule) scenario.optimum = {};
+    scenario.terrain.rule = rule;
+  }
+  scenarios::prove(scenario);
+  return scenario;
+}
+
+std::string or_dash(const std::optional<double>& value, std::string_view format) {
+  return value ? fmt::format(fmt::runtime(format), *value) : "-";
+}
+
+void print_summary(const results::TrialRow& row) {
+  fmt::print("scenario     {} ({})\n", row.scenario, name(row.rule));
+  fmt::print("planner      {}\n", row.planner);
+  fmt::print("verdict      {}{}{}\n", name(row.verdict), row.note.empty() ? "" : ": ", row.note);
+  fmt::print("length       {}   optimum {}   gap {}\n", or_dash(row.length, "{:.4f}"),
+             or_dash(row.optimum, "{:.4f}"), row.gap ? fmt::format("{:.2f} %", 100 * *row.gap) : "-");
+  fmt::print("turns        {}   least clearance {}\n", row.turns ? std::to_string(*row.turns) : "-",
+             or_dash(row.clearance_min, "{:.2f}"));
+  fmt::print("work         {} evaluations, {} iterations, {} checks\n", row.work.evaluations,
+             row.work.iterations, row.work.checks);
+  fmt::print("time         {:.3f} ms ({}, {} of {} threads seen running)\n", 1000 * row.costs.wall_s,
+             row.costs.backend, row.costs.threads_used, row.costs.threads);
+  fmt::print("digest       {}\n", hex(row.digest));
+}
+
+void write_pictures(const PlanCommand& command, const Scenario& scenario, const results::TrialRow& row) {
+  if (!command.svg.empty()) {
+    std::ostringstream text;
+    results::write_svg(text, scenario, row.answer, fmt::format("{} on {}", row.planner, row.scenario));
+    write_file(command.svg, text.str());
+  }
+  if (!command.trace.empty()) {
+    std::ostringstream text;
+    results::write_trace_csv(text, row.trace);
+    write_file(command.trace, text.str());
+  }
+}
+
+int plan_command(const PlanCommand& command) {
+  require_backend(command.options);
+  const Entrant entrant = roster().enter(parse_call(command.planner));
+  const Scenario scenario = chosen_scenario(command);
+  const Budget budget = command.budget.unlimited() ? entrant.card->default_budget : command.budget;
+  const Referee referee(scenario.terrain);
+  const std::unique_ptr<Executor> executor = make_executor(command.options.backend, command.options.threads);
+  const TrialKey key{scenario.id,        content_hash(scenario), entrant.full_call(), entrant.card->version,
+                     command.repetition, command.seed,           work_hash(budget)};
+  TrialRecord record = run_trial(entrant, scenario, referee, budget,
+                                 root_stream(key.seed, key.scenario, key.repetition), *executor);
+  record.key = key.hash();
+  record.costs.backend = command.options.backend;
+  record.costs.threads = command.options.threads;
+  const results::TrialRow row = results::make_row(key, scenario, entrant, budget, record);
+  if (command.json) {
+    fmt::print("{}\n", results::to_json(row, scenario));
+  } else {
+    print_summary(row);
+  }
+  write_pictures(command, scenario, row);
+  return done;
+}
+
+}  // namespace
+
+void add_plan(CLI::App& app) {
+  auto command = std::make_shared<PlanCommand>();
+  CLI::App* options =
+      add_command(app, "plan", "run one planner on one scenario",
+                  "pathrace plan --scenario dense/20-20/7 --planner as:dead_end=backtrack --svg path.svg",
+                  [command] { return plan_command(*command); });
+  options->add_option("--scenario", command->scenario, "a scenario of the library")->type_name("ID");
+  options->add_option("--map", command->map, "a MovingAI .map file, with --start and --goal")
+      ->type_name("FILE");
+  options->add_option("--start", command->start, "a cell; 0,0 is the upper left")->type_name("X,Y");
+  options->add_option("--goal", command->goal, "a cell")->type_name("X,Y");
+  options->add_option("--maps", command->maps, "folder of recorded maps, for movingai/... scenarios")
+      ->type_name("DIR");
+  options
+      ->add_option("--planner", command->planner,
+                   "a planner, with parameters where they differ from the defaults")
+      ->type_name("NAME[:key=value,...]")
+      ->required();
+  options
+      ->add_option("--rule", command->rule, "four, strict, squeeze or free (default: the scenario's, strict)")
+      ->type_name("RULE");
+  options->add_option("--seed", command->seed, "the campaign's seed (default: 1)")->type_name("N");
+  options
+      ->add_option("--repetition", command->repetition, "which repetition of a campaign, from 0 (default: 0)")
+      ->type_name("N");
+  add_budget_options(*options, command->budget);
+  add_executor_options(*options, command->options, false);
+  options->add_flag("--json", command->json, "print one JSON object");
+  options->add_option("--svg", command->svg, "draw map and path")->type_name("FILE");
+  options->add_option("--trace", command->trace, "write each improvement with the work spent, as CSV")
+      ->type_name("FILE.csv");
+}
+
+}  // namespace pathrace::bench::cli

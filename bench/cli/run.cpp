@@ -1,0 +1,219 @@
+// `run`: a campaign from its file to a leaderboard.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <csignal>
+#include <iostream>
+#include <memory>
+#include <numeric>
+
+#include "bench/cli/command.hpp"
+#include "bench/cli/options.hpp"
+#include "bench/estimate.hpp"
+#include "bench/progress.hpp"
+#include "bench/recorder.hpp"
+#include "bench/roster.hpp"
+#include "bench/run_folder.hpp"
+#include "core/error.hpp"
+#include "results/leaderboard.hpp"
+
+namespace pathrace::bench::cli {
+namespace {
+
+struct RunCommand {
+  std::string file;
+  std::string builtin;
+  std::string out;
+  std::string maps;
+  std::optional<std::uint64_t> seed;
+  bool resume = false;
+  bool dry_run = false;
+  bool in_process = false;
+  RunOptions options;
+};
+
+std::atomic<bool> stop_requested{false};
+
+void request_stop(int) {
+  stop_requested.store(true);
+}
+
+void say(const std::string& line) {
+  fmt::print(stderr, "{}\n", line);
+}
+
+bool has_store(const RunFolder& folder) {
+  std::error_code ignored;
+  return std::filesystem::exists(folder.store(), ignored);
+}
+
+Campaign chosen_campaign(const RunCommand& command, const RunFolder& folder) {
+  if (!command.file.empty() && !command.builtin.empty()) {
+    throw InputError(
+        fmt::format("both a campaign file '{}' and --campaign '{}' are given; expected one of them",
+                    command.file, command.builtin));
+  }
+  if (!command.file.empty()) return read_campaign(command.file);
+  if (command.builtin.empty() && command.resume && has_store(folder)) {  // go on with what the folder holds
+    return parse_campaign(open_store(folder).identity().toml, folder.store().string());
+  }
+  return builtin_campaign(command.builtin.empty() ? "starter" : command.builtin);
+}
+
+// The campaign's own path of maps counts from its file; on the command line, from the current folder.
+void settle_maps(const RunCommand& command, Campaign& campaign, std::vector<std::string>* left_out) {
+  if (campaign.maps && campaign.maps->is_relative()) {
+    const std::filesystem::path base = std::filesystem::absolute(command.file).parent_path();
+    campaign.maps = (base / *campaign.maps).lexically_normal();
+  }
+  if (!command.maps.empty()) {
+    const std::filesystem::path folder = std::filesystem::absolute(command.maps).lexically_normal();
+    if (campaign.maps != folder) add_recorded_maps(campaign, folder, left_out);
+    return;
+  }
+  if (campaign.maps) return;
+  if (const auto folder = maps_folder(""))
+    campaign.maps = std::filesystem::absolute(*folder).lexically_normal();
+}
+
+bool needs_maps(const Campaign& campaign) {
+  for (const ScenarioChoice& choice : campaign.scenarios) {
+    for (const std::string& pattern : choice.select) {
+      if (pattern.starts_with("movingai/")) return true;
+    }
+  }
+  return false;
+}
+
+TrialPlan make_plan(const RunCommand& command, const RunFolder& folder) {
+  Campaign campaign = chosen_campaign(command, folder);
+  if (command.seed) campaign.seed = *command.seed;
+  std::vector<std::string> left_out;
+  settle_maps(command, campaign, &left_out);
+  if (!needs_maps(campaign)) campaign.maps.reset();
+  const scenarios::Library library(campaign.maps);
+  TrialPlan plan = plan_trials(campaign, library, roster());
+  left_out.insert(left_out.end(), plan.left_out.begin(), plan.left_out.end());
+  for (const std::string& query : left_out) say("left out: " + query);
+  return plan;
+}
+
+results::Store open_or_create(const RunCommand& command, const RunFolder& folder, const TrialPlan& plan) {
+  const results::StoreIdentity identity{plan.campaign.name, to_toml(plan.campaign), plan.hash(),
+                                        plan.campaign.seed, plan.trials.size()};
+  if (!has_store(folder)) {
+    write_file(folder.campaign(), identity.toml);
+    return results::Store::create(folder.store(), identity);
+  }
+  if (!command.resume) {
+    throw InputError(fmt::format("{}: holds a results.db already; go on with --resume, or name another --out",
+                                 folder.path.string()));
+  }
+  results::Store store = results::Store::open(folder.store(), results::Access::append);
+  if (store.identity().hash != identity.hash) {
+    throw InputError(
+        fmt::format("{}: holds another campaign ('{}', seed {}, {} trials) than the one to resume ('{}', "
+                    "seed {}, {} trials)",
+                    folder.store().string(), store.identity().campaign, store.identity().seed,
+                    store.identity().trials, identity.campaign, identity.seed, identity.trials));
+  }
+  return store;
+}
+
+std::vector<std::size_t> missing_trials(const TrialPlan& plan, const results::Store* store) {
+  std::vector<std::size_t> missing;
+  const auto recorded = store != nullptr ? store->keys() : std::unordered_set<std::uint64_t>{};
+  for (std::size_t i = 0; i < plan.trials.size(); ++i) {
+    if (recorded.find(plan.trials[i].hash) == recorded.end()) missing.push_back(i);
+  }
+  return missing;
+}
+
+std::string announcement(const TrialPlan& plan, const std::vector<std::size_t>& missing,
+                         const RunOptions& options) {
+  const Estimate estimate = estimate_time(plan, missing, options);
+  const std::size_t recorded = plan.trials.size() - missing.size();
+  return fmt::format("{}: {} trials ({} planners, {} scenarios){}; about {} with {} job{} of {} thread{}",
+                     plan.campaign.name, plan.trials.size(), plan.entrants.size(), plan.scenarios.size(),
+                     recorded > 0 ? fmt::format(", {} recorded already", recorded) : "",
+                     print_duration(estimate.wall_s), options.jobs, options.jobs == 1 ? "" : "s",
+                     options.threads, options.threads == 1 ? "" : "s");
+}
+
+void race(const TrialPlan& plan, const std::vector<std::size_t>& missing, const RunOptions& options,
+          results::Store& store) {
+  Progress progress(plan.trials.size() - missing.size(), plan.trials.size());
+  Recorder recorder(store, stop_requested,
+                    [&progress](std::size_t done_count) { progress.update(done_count); });
+  run_trials(plan, missing, options, stop_requested,
+             [&](const Trial& trial, const Scenario& scenario, TrialRecord record) {
+               recorder.add(results::make_row(trial.key, scenario, plan.entrants[trial.entrant], trial.budget,
+                                              record));
+             });
+  recorder.finish();
+  progress.close();
+}
+
+int run_command(const RunCommand& command) {
+  require_backend(command.options);
+  RunFolder folder{command.out};
+  if (command.out.empty() && command.resume)
+    throw InputError("--resume needs the folder to go on with: --out DIR");
+  const TrialPlan plan = make_plan(command, folder);
+  if (command.dry_run) {
+    fmt::print("{}\n", announcement(plan, missing_trials(plan, nullptr), command.options));
+    return done;
+  }
+  if (command.out.empty()) folder = next_free_folder(plan.campaign.name);
+  make_folder(folder);
+  results::Store store = open_or_create(command, folder, plan);
+  const std::vector<std::size_t> missing = missing_trials(plan, &store);
+  std::signal(SIGINT, request_stop);
+  std::signal(SIGTERM, request_stop);
+  if (!missing.empty()) {
+    say(announcement(plan, missing, command.options));
+    race(plan, missing, command.options, store);
+  } else {
+    say(fmt::format("{}: all {} trials are recorded already", plan.campaign.name, plan.trials.size()));
+  }
+  write_tables(folder, store);
+  if (stop_requested.load()) {
+    say(fmt::format("interrupted; {} of {} trials are recorded: go on with --resume --out {}", store.size(),
+                    plan.trials.size(), folder.path.string()));
+    return interrupted;
+  }
+  results::print_console(std::cout, results::leaderboard(store, results::Grouping::all));
+  std::cout.flush();
+  say(fmt::format("results in {}", folder.path.string()));
+  return done;
+}
+
+}  // namespace
+
+void add_run(CLI::App& app) {
+  auto command = std::make_shared<RunCommand>();
+  CLI::App* options = add_command(app, "run", "run a campaign and print its leaderboard",
+                                  "pathrace run --campaign smoke --out runs/first",
+                                  [command] { return run_command(*command); });
+  options->add_option("file", command->file, "a campaign file; without one, the built-in campaign 'starter'")
+      ->type_name("CAMPAIGN.toml");
+  options->add_option("--campaign", command->builtin, "a built-in campaign: starter or smoke")
+      ->type_name("NAME");
+  options
+      ->add_option_function<std::uint64_t>(
+          "--seed", [command](std::uint64_t seed) { command->seed = seed; }, "replaces the campaign's seed")
+      ->check(CLI::Range(std::uint64_t{0}, static_cast<std::uint64_t>(INT64_MAX)))
+      ->type_name("N");
+  options
+      ->add_option("--out", command->out, "folder for the results (default: a new one, runs/<campaign>-<n>)")
+      ->type_name("DIR");
+  add_executor_options(*options, command->options, true);
+  options->add_flag("--in-process", command->in_process, "run the trials in this process (the default)");
+  options->add_flag("--resume", command->resume, "go on with the folder of --out: recorded trials are kept");
+  options->add_option("--maps", command->maps, "folder of MovingAI .map and .scen files to race on as well")
+      ->type_name("DIR");
+  options->add_flag("--dry-run", command->dry_run,
+                    "print the number of trials and the expected time, run nothing");
+}
+
+}  // namespace pathrace::bench::cli

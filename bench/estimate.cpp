@@ -1,0 +1,119 @@
+#include "bench/estimate.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <map>
+#include <thread>
+#include <utility>
+
+#include "bench/executors.hpp"
+#include "bench/trial.hpp"
+#include "core/referee.hpp"
+
+namespace pathrace::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double pilot_limit_s = 0.15;
+constexpr double all_pilots_s = 2.0;
+constexpr double unknown_share =
+    0.1;  // of its work that a cut trial without a work budget is taken to have done
+
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+// Trials that cost about the same: one planner, one budget, one order of magnitude of map size.
+struct Group {
+  std::size_t entrant = 0;
+  double cells = 0;
+  std::vector<std::size_t> trials;
+  double trial_s = -1;  // measured, or -1
+};
+
+std::vector<Group> groups_of(const TrialPlan& plan, const std::vector<std::size_t>& trials) {
+  std::map<std::pair<std::size_t, int>, Group> groups;
+  for (const std::size_t index : trials) {
+    const Trial& trial = plan.trials[index];
+    const OccupancyGrid& grid = plan.scenarios[trial.scenario].grid();
+    const auto cells = static_cast<std::uint64_t>(grid.width()) * static_cast<std::uint64_t>(grid.height());
+    Group& group = groups[{trial.entrant, std::bit_width(cells) / 2}];
+    group.entrant = trial.entrant;
+    group.cells = std::max(group.cells, static_cast<double>(cells));
+    group.trials.push_back(index);
+  }
+  std::vector<Group> list;
+  for (auto& entry : groups) list.push_back(std::move(entry.second));
+  std::sort(list.begin(), list.end(), [](const Group& a, const Group& b) {
+    return a.cells * static_cast<double>(a.trials.size()) > b.cells * static_cast<double>(b.trials.size());
+  });
+  return list;
+}
+
+double share_spent(const Work& work, const Budget& budget) {
+  double share = 0;
+  const auto consider = [&share](const std::optional<std::uint64_t>& limit, std::uint64_t spent) {
+    if (limit) share = std::max(share, static_cast<double>(spent) / static_cast<double>(*limit));
+  };
+  consider(budget.evaluations, work.evaluations);
+  consider(budget.iterations, work.iterations);
+  consider(budget.checks, work.checks);
+  return share > 0 ? std::min(share, 1.0) : unknown_share;
+}
+
+double measure(const TrialPlan& plan, const Trial& trial, const RunOptions& options) {
+  const Clock::time_point begin = Clock::now();
+  Budget budget = trial.budget;
+  budget.wall_s = std::min(budget.wall_s.value_or(pilot_limit_s), pilot_limit_s);
+  const Scenario& scenario = plan.scenarios[trial.scenario];
+  const Referee referee(scenario.terrain);
+  const std::unique_ptr<Executor> executor = make_executor(options.backend, options.threads);
+  const Stream stream = root_stream(trial.key.seed, trial.key.scenario, trial.key.repetition);
+  const double ready = seconds_since(begin);
+  const TrialRecord record =
+      run_trial(plan.entrants[trial.entrant], scenario, referee, budget, stream, *executor);
+  const double judged = seconds_since(begin) - ready - record.costs.wall_s;
+  const bool cut = record.timed && !(trial.budget.wall_s && *trial.budget.wall_s <= pilot_limit_s);
+  double planned = cut ? record.costs.wall_s / share_spent(record.work, trial.budget) : record.costs.wall_s;
+  if (trial.budget.wall_s) planned = std::min(planned, *trial.budget.wall_s);
+  return ready / 10 + planned + judged;  // referee and optimum are shared by a scenario's trials
+}
+
+// A group nobody measured costs what the same planner's nearest measured group costs, by the number of cells.
+double borrowed(const Group& group, const std::vector<Group>& groups) {
+  double best = 0;
+  for (const Group& other : groups) {
+    if (other.trial_s < 0) continue;
+    const double scaled = other.trial_s * group.cells / other.cells;
+    if (other.entrant == group.entrant) return scaled;
+    best = std::max(best, scaled);
+  }
+  return best;
+}
+
+}  // namespace
+
+Estimate estimate_time(const TrialPlan& plan, const std::vector<std::size_t>& trials,
+                       const RunOptions& options) {
+  std::vector<Group> groups = groups_of(plan, trials);
+  Estimate estimate;
+  const Clock::time_point begin = Clock::now();
+  for (Group& group : groups) {
+    if (seconds_since(begin) > all_pilots_s) break;
+    group.trial_s = measure(plan, plan.trials[group.trials[group.trials.size() / 2]], options);
+    ++estimate.pilots;
+  }
+  double work_s = 0;
+  for (const Group& group : groups) {
+    const double trial_s = group.trial_s >= 0 ? group.trial_s : borrowed(group, groups);
+    work_s += trial_s * static_cast<double>(group.trials.size());
+  }
+  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int jobs = make_executor(options.backend, options.jobs)->threads();
+  estimate.wall_s = work_s / std::min(jobs, cores);
+  return estimate;
+}
+
+}  // namespace pathrace::bench

@@ -1,0 +1,84 @@
+#include "bench/run_folder.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "bench/roster.hpp"
+#include "core/error.hpp"
+#include "results/leaderboard.hpp"
+#include "results/trials_csv.hpp"
+
+namespace pathrace::bench {
+
+namespace fs = std::filesystem;
+
+RunFolder next_free_folder(const std::string& campaign) {
+  for (int n = 1;; ++n) {
+    RunFolder folder{fs::path("runs") / fmt::format("{}-{}", campaign, n)};
+    std::error_code ignored;
+    if (!fs::exists(fs::symlink_status(folder.path, ignored))) return folder;
+  }
+}
+
+void make_folder(const RunFolder& folder) {
+  std::error_code error;
+  if (fs::exists(folder.path, error) && !fs::is_directory(folder.path, error)) {
+    throw InputError(fmt::format("{}: is a file; expected a folder for the results", folder.path.string()));
+  }
+  fs::create_directories(folder.path, error);
+  if (error)
+    throw EnvironmentError(fmt::format("{}: cannot be made: {}", folder.path.string(), error.message()));
+  if (access(folder.path.c_str(), W_OK | X_OK) != 0) {
+    throw EnvironmentError(
+        fmt::format("{}: cannot be written: {}", folder.path.string(), std::strerror(errno)));
+  }
+}
+
+void write_file(const fs::path& file, const std::string& text) {
+  const fs::path draft = file.string() + ".part";
+  {
+    std::ofstream out(draft, std::ios::binary | std::ios::trunc);
+    out << text;
+    out.close();
+    if (!out)
+      throw EnvironmentError(fmt::format("{}: cannot be written: {}", file.string(), std::strerror(errno)));
+  }
+  std::error_code error;
+  fs::rename(draft, file, error);
+  if (error) throw EnvironmentError(fmt::format("{}: cannot be written: {}", file.string(), error.message()));
+}
+
+results::Store open_store(const RunFolder& folder) {
+  std::error_code ignored;
+  if (!fs::is_directory(folder.path, ignored)) {
+    throw InputError(fmt::format("{}: no such folder; expected the folder of a run", folder.path.string()));
+  }
+  return results::Store::open(folder.store(), results::Access::read);
+}
+
+void write_tables(const RunFolder& folder, const results::Store& store) {
+  std::ostringstream board;
+  results::write_csv(board, results::leaderboard(store, results::Grouping::all));
+  write_file(folder.leaderboard(), board.str());
+
+  const fs::path draft = folder.trials().string() + ".part";  // long: streamed, never held in memory
+  std::ofstream out(draft, std::ios::binary | std::ios::trunc);
+  results::write_trials_csv(out, store);
+  out.close();
+  std::error_code error;
+  if (out) fs::rename(draft, folder.trials(), error);
+  if (!out || error) throw EnvironmentError(fmt::format("{}: cannot be written", folder.trials().string()));
+}
+
+TrialPlan plan_of(const results::Store& store) {
+  const Campaign campaign = parse_campaign(store.identity().toml, "the store's campaign");
+  const scenarios::Library library(campaign.maps);
+  return plan_trials(campaign, library, roster());
+}
+
+}  // namespace pathrace::bench

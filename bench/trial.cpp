@@ -1,0 +1,91 @@
+#include "bench/trial.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <new>
+
+#include "core/error.hpp"
+
+namespace pathrace::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+void fail(TrialRecord& record, Verdict verdict, std::string_view why) {
+  record.verdict = verdict;
+  record.note = std::string(why);
+  record.answer.reset();
+}
+
+void call_planner(const Entrant& entrant, const Scenario& scenario, Context& context, TrialRecord& record) {
+  const Clock::time_point begin = Clock::now();
+  try {
+    const std::unique_ptr<MapPlanner> planner = entrant.card->make(entrant.values)(scenario.terrain);
+    record.costs.setup_s = seconds_since(begin);
+    record.answer = planner->plan(scenario.start, scenario.goal, context);
+    record.verdict = Verdict::solved;
+  } catch (const std::bad_alloc&) {
+    fail(record, Verdict::out_of_memory, "the planner ran out of memory");
+  } catch (const Unsupported& reason) {
+    fail(record, Verdict::unsupported, reason.what());
+  } catch (const InvalidScenario& reason) {
+    fail(record, Verdict::bad_scenario, reason.what());
+  } catch (const std::exception& error) {
+    fail(record, Verdict::crashed, error.what());
+  } catch (...) {
+    fail(record, Verdict::crashed, "the planner threw something that is no std::exception");
+  }
+  record.costs.wall_s = seconds_since(begin);
+}
+
+void judge(const Entrant& entrant, const Scenario& scenario, const Referee& referee, const Meter& meter,
+           TrialRecord& record) {
+  if (record.verdict != Verdict::solved) return;
+  if (meter.exceeded()) {
+    record.verdict = Verdict::invalid;
+    record.note = fmt::format("the budget was exceeded: {} evaluations, {} iterations, {} checks",
+                              record.work.evaluations, record.work.iterations, record.work.checks);
+    return;
+  }
+  if (!record.answer) {
+    record.verdict = !meter.concluded() && meter.spent() ? Verdict::budget : Verdict::no_path;
+    return;
+  }
+  if (record.answer->track != entrant.card->track) {
+    record.verdict = Verdict::invalid;
+    record.note = fmt::format("answered on the track {}, races on {}", name(record.answer->track),
+                              name(entrant.card->track));
+    return;
+  }
+  Judgement judgement = referee.judge(*record.answer, scenario.start, scenario.goal);
+  if (judgement.legal()) {
+    record.metrics = judgement.metrics;
+  } else {
+    record.verdict = Verdict::invalid;
+    record.note = std::move(judgement.fault);
+  }
+}
+
+}  // namespace
+
+TrialRecord run_trial(const Entrant& entrant, const Scenario& scenario, const Referee& referee,
+                      const Budget& budget, const Stream& stream, Executor& executor) {
+  TrialRecord record;
+  Meter meter(budget);
+  Context context{stream, executor, meter};
+  executor.restart_census();
+  call_planner(entrant, scenario, context, record);
+  record.work = meter.work();
+  record.trace = meter.trace();
+  record.timed = meter.timed();
+  record.costs.threads_used = executor.threads_used();
+  judge(entrant, scenario, referee, meter, record);
+  return record;
+}
+
+}  // namespace pathrace::bench

@@ -1,0 +1,17 @@
+// One trial: run a planner on a scenario, have the answer judged, write the record.
+#pragma once
+
+#include "core/catalogue.hpp"
+#include "core/executor.hpp"
+#include "core/record.hpp"
+#include "core/referee.hpp"
+#include "core/scenario.hpp"
+
+namespace pathrace::bench {
+
+/// Nothing a planner does comes out as an exception: it becomes the record's verdict. `key` and the costs
+/// that describe the executor are the caller's to fill in.
+TrialRecord run_trial(const Entrant& entrant, const Scenario& scenario, const Referee& referee,
+                      const Budget& budget, const Stream& stream, Executor& executor);
+
+}  // namespace pathrace::bench

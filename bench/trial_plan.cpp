@@ -1,0 +1,148 @@
+#include "bench/trial_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+#include <unordered_map>
+
+#include "core/error.hpp"
+#include "core/hash.hpp"
+
+namespace pathrace::bench {
+namespace {
+
+constexpr std::size_t recorded_queries_per_scen = 2;
+constexpr int recorded_most_side = 512;
+
+// One planner per combination of listed values, in the order of the lists.
+std::vector<Entrant> entrants_of(const PlannerChoice& choice, const Catalogue& catalogue) {
+  std::vector<PlannerCall> calls{{choice.name, {}}};
+  std::vector<std::string> suffixes{""};
+  for (const auto& [parameter, values] : choice.values) {
+    std::vector<PlannerCall> longer_calls;
+    std::vector<std::string> longer_suffixes;
+    for (std::size_t i = 0; i < calls.size(); ++i) {
+      for (const std::string& value : values) {
+        longer_calls.push_back(calls[i]);
+        longer_calls.back().values[parameter] = value;
+        longer_suffixes.push_back(suffixes[i]);
+        if (values.size() > 1) {
+          longer_suffixes.back() += fmt::format("{}{}={}", suffixes[i].empty() ? ":" : ",", parameter, value);
+        }
+      }
+    }
+    calls = std::move(longer_calls);
+    suffixes = std::move(longer_suffixes);
+  }
+  std::vector<Entrant> entrants;
+  for (std::size_t i = 0; i < calls.size(); ++i) {
+    entrants.push_back(catalogue.enter(calls[i], choice.label.empty() ? "" : choice.label + suffixes[i]));
+  }
+  return entrants;
+}
+
+class Planning {
+ public:
+  Planning(const Campaign& campaign, const scenarios::Library& library) : library_(library) {
+    plan_.campaign = campaign;
+  }
+
+  TrialPlan run(const Catalogue& catalogue) {
+    std::set<std::string> labels;
+    for (const PlannerChoice& choice : plan_.campaign.planners) {
+      for (Entrant& entrant : entrants_of(choice, catalogue)) {
+        if (!labels.insert(entrant.label).second) {
+          throw InputError(
+              fmt::format("two planners are called '{}'; give one of them another label", entrant.label));
+        }
+        plan_.entrants.push_back(std::move(entrant));
+      }
+    }
+    for (const ScenarioChoice& choice : plan_.campaign.scenarios) {
+      for (const std::string& pattern : choice.select) {
+        for (const std::string& id : library_.select(pattern)) add_scenario(id, choice);
+      }
+    }
+    if (plan_.trials.empty())
+      throw InputError(fmt::format("campaign '{}' has no trials", plan_.campaign.name));
+    return std::move(plan_);
+  }
+
+ private:
+  void add_scenario(const std::string& id, const ScenarioChoice& choice) {
+    std::size_t index = 0;
+    if (const auto known = index_of_.find(id); known != index_of_.end()) {
+      index = known->second;
+    } else {
+      try {
+        plan_.scenarios.push_back(library_.load(id));
+      } catch (const InvalidScenario& fault) {
+        if (!id.starts_with("movingai/")) throw;
+        plan_.left_out.push_back(fault.what());  // recorded data may be dirty; no planner answers for it
+        return;
+      }
+      index = plan_.scenarios.size() - 1;
+      index_of_[id] = index;
+      content_.push_back(content_hash(plan_.scenarios.back()));
+    }
+    for (std::size_t entrant = 0; entrant < plan_.entrants.size(); ++entrant)
+      add_trials(index, entrant, choice);
+  }
+
+  void add_trials(std::size_t scenario, std::size_t entrant, const ScenarioChoice& choice) {
+    const PlannerCard& card = *plan_.entrants[entrant].card;
+    const Campaign& campaign = plan_.campaign;
+    Trial trial;
+    trial.scenario = scenario;
+    trial.entrant = entrant;
+    trial.budget = choice.budget ? *choice.budget : campaign.budget ? *campaign.budget : card.default_budget;
+    trial.key = {plan_.scenarios[scenario].id,
+                 content_[scenario],
+                 plan_.entrants[entrant].full_call(),
+                 card.version,
+                 0,
+                 campaign.seed,
+                 work_hash(trial.budget)};
+    for (std::uint64_t repetition = 0; repetition < campaign.repetitions; ++repetition) {
+      trial.key.repetition = repetition;
+      trial.hash = trial.key.hash();
+      if (keys_.insert(trial.hash).second) plan_.trials.push_back(trial);  // an id selected twice runs once
+    }
+  }
+
+  const scenarios::Library& library_;
+  TrialPlan plan_;
+  std::unordered_map<std::string, std::size_t> index_of_;
+  std::vector<std::uint64_t> content_;
+  std::set<std::uint64_t> keys_;
+};
+
+}  // namespace
+
+std::uint64_t TrialPlan::hash() const {
+  Hasher hasher;
+  hasher.add(std::string_view(campaign.name));
+  for (const Trial& trial : trials) {
+    hasher.add(trial.hash).add(std::string_view(entrants[trial.entrant].label));
+    hasher.add(trial.budget.wall_s.value_or(0));
+  }
+  return hasher.value();
+}
+
+TrialPlan plan_trials(const Campaign& campaign, const scenarios::Library& library,
+                      const Catalogue& catalogue) {
+  return Planning(campaign, library).run(catalogue);
+}
+
+void add_recorded_maps(Campaign& campaign, const std::filesystem::path& folder,
+                       std::vector<std::string>* left_out) {
+  campaign.maps = std::filesystem::absolute(folder).lexically_normal();
+  const scenarios::Library library(campaign.maps);
+  ScenarioChoice choice;
+  choice.select = library.spread_recorded(recorded_queries_per_scen, recorded_most_side, left_out);
+  if (choice.select.empty())
+    throw InputError(fmt::format("{}: holds no query that can be raced", folder.string()));
+  campaign.scenarios.push_back(std::move(choice));
+}
+
+}  // namespace pathrace::bench

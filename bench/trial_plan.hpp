@@ -1,0 +1,46 @@
+// A trial plan: a campaign with everything looked up, as an ordered list of keyed trials.
+//
+// Order: scenarios as selected, within each the planners as listed, within each the repetitions. The order is
+// for people and for resuming; no result depends on it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "bench/campaign.hpp"
+#include "core/catalogue.hpp"
+#include "core/record.hpp"
+#include "core/scenario.hpp"
+#include "scenarios/library.hpp"
+
+namespace pathrace::bench {
+
+struct Trial {
+  std::size_t scenario = 0;  ///< index into TrialPlan::scenarios
+  std::size_t entrant = 0;   ///< index into TrialPlan::entrants
+  Budget budget;
+  TrialKey key;
+  std::uint64_t hash = 0;  ///< of the key
+};
+
+struct TrialPlan {
+  Campaign campaign;
+  std::vector<Scenario> scenarios;
+  std::vector<Entrant> entrants;
+  std::vector<Trial> trials;
+  std::vector<std::string> left_out;  ///< recorded queries that cannot be scenarios, and why
+
+  /// Names the whole plan: a store belongs to exactly one.
+  std::uint64_t hash() const;
+};
+
+/// Throws InputError for unknown names, bad values, two planners with one label, or an empty plan.
+TrialPlan plan_trials(const Campaign& campaign, const scenarios::Library& library,
+                      const Catalogue& catalogue);
+
+/// Adds recorded queries, spread over each scen file of the folder, to a campaign.
+void add_recorded_maps(Campaign& campaign, const std::filesystem::path& folder,
+                       std::vector<std::string>* left_out);
+
+}  // namespace pathrace::bench

@@ -1,0 +1,142 @@
+#include "bench/verify.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <unordered_map>
+
+#include "core/hash.hpp"
+#include "scenarios/movingai/folder.hpp"
+
+namespace pathrace::bench {
+namespace {
+
+using results::TrialRow;
+
+std::string row_name(const TrialRow& row) {
+  return fmt::format("row {} ({}, {}, repetition {})", hex(row.key), row.scenario, row.planner,
+                     row.repetition);
+}
+
+std::string text(const std::optional<double>& value) {
+  return value ? fmt::format("{}", *value) : "none";
+}
+std::string text(const std::optional<int>& value) {
+  return value ? fmt::format("{}", *value) : "none";
+}
+std::string text(std::uint64_t value) {
+  return fmt::format("{}", value);
+}
+std::string text(const std::string& value) {
+  return fmt::format("'{}'", value);
+}
+
+// What two rows of the same trial differ in, first column first; empty when they agree.
+std::string first_difference(const TrialRow& stored, const TrialRow& rerun) {
+  std::string found;
+  const auto compare = [&found](std::string_view column, const auto& a, const auto& b) {
+    if (found.empty() && !(a == b))
+      found = fmt::format("{}: stored {}, run again {}", column, text(a), text(b));
+  };
+  compare("scenario", stored.scenario, rerun.scenario);
+  compare("planner", stored.planner, rerun.planner);
+  compare("call", stored.call, rerun.call);
+  compare("version", static_cast<std::uint64_t>(stored.version), static_cast<std::uint64_t>(rerun.version));
+  compare("repetition", stored.repetition, rerun.repetition);
+  compare("seed", stored.seed, rerun.seed);
+  compare("budget", stored.budget, rerun.budget);
+  compare("verdict", std::string(name(stored.verdict)), std::string(name(rerun.verdict)));
+  compare("note", stored.note, rerun.note);
+  compare("track", std::string(name(stored.track)), std::string(name(rerun.track)));
+  compare("rule", std::string(name(stored.rule)), std::string(name(rerun.rule)));
+  compare("length", stored.length, rerun.length);
+  compare("optimum", stored.optimum, rerun.optimum);
+  compare("gap", stored.gap, rerun.gap);
+  compare("turns", stored.turns, rerun.turns);
+  compare("turn_angle", stored.turn_angle, rerun.turn_angle);
+  compare("clearance_min", stored.clearance_min, rerun.clearance_min);
+  compare("clearance_mean", stored.clearance_mean, rerun.clearance_mean);
+  compare("evaluations", stored.work.evaluations, rerun.work.evaluations);
+  compare("iterations", stored.work.iterations, rerun.work.iterations);
+  compare("checks", stored.work.checks, rerun.work.checks);
+  compare("path", stored.answer ? results::print_points(*stored.answer) : "",
+          rerun.answer ? results::print_points(*rerun.answer) : "");
+  compare("digest", hex(stored.digest), hex(rerun.digest));
+  return found;
+}
+
+class Verifier {
+ public:
+  Verifier(const TrialPlan& plan, Verification& result) : plan_(plan), result_(result) {
+    for (std::size_t i = 0; i < plan.trials.size(); ++i) trial_of_[plan.trials[i].hash] = i;
+  }
+
+  void read(const results::Store& store) {
+    store.for_each([this](const TrialRow& row) {
+      ++result_.rows;
+      const auto trial = trial_of_.find(row.key);
+      if (trial == trial_of_.end()) return differ(row, "the campaign has no trial with this key");
+      const std::uint64_t own = results::recomputed_digest(row);
+      if (own != row.digest) {
+        return differ(row,
+                      fmt::format("digest {} does not fit the stored path, work and trace, which give {}",
+                                  hex(row.digest), hex(own)));
+      }
+      if (row.timed || !plan_.entrants[plan_.trials[trial->second].entrant].card->deterministic) {
+        ++result_.skipped;
+        return;
+      }
+      candidates_.push_back(trial->second);
+    });
+  }
+
+  void run_again(const results::Store& store, std::optional<std::size_t> sample, const RunOptions& options) {
+    std::vector<std::size_t> chosen;
+    for (const std::size_t i : scenarios::spread(candidates_.size(), sample.value_or(candidates_.size()))) {
+      chosen.push_back(candidates_[i]);
+    }
+    std::sort(chosen.begin(), chosen.end());  // trials on one scenario side by side, as in a run
+    const std::atomic<bool> never{false};
+    run_trials(plan_, chosen, options, never,
+               [this](const Trial& trial, const Scenario& scenario, TrialRecord record) {
+                 TrialRow row = results::make_row(trial.key, scenario, plan_.entrants[trial.entrant],
+                                                  trial.budget, record);
+                 const std::lock_guard lock(mutex_);
+                 rerun_.emplace(trial.hash, std::move(row));
+               });
+    result_.rerun = rerun_.size();
+    store.for_each([this](const TrialRow& row) {
+      const auto again = rerun_.find(row.key);
+      if (again == rerun_.end()) return;
+      const std::string difference = first_difference(row, again->second);
+      if (!difference.empty()) differ(row, difference);
+    });
+  }
+
+ private:
+  void differ(const TrialRow& row, const std::string& what) {
+    result_.differences.push_back(fmt::format("{}: {}", row_name(row), what));
+  }
+
+  const TrialPlan& plan_;
+  Verification& result_;
+  std::unordered_map<std::uint64_t, std::size_t> trial_of_;
+  std::vector<std::size_t> candidates_;
+  std::mutex mutex_;
+  std::unordered_map<std::uint64_t, TrialRow> rerun_;
+};
+
+}  // namespace
+
+Verification verify(const results::Store& store, const TrialPlan& plan, std::optional<std::size_t> sample,
+                    const RunOptions& options) {
+  Verification result;
+  Verifier verifier(plan, result);
+  verifier.read(store);
+  verifier.run_again(store, sample, options);
+  return result;
+}
+
+}  // namespace pathrace::bench

@@ -1,0 +1,76 @@
+#include "results/json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+#include "core/hash.hpp"
+
+namespace pathrace::results {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <typename T>
+Json nullable(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+// Whole numbers without ".0": cells are integers.
+Json coordinate(double value) {
+  constexpr double exact_integers = 0x1p53;
+  const bool whole = std::fabs(value) < exact_integers && std::trunc(value) == value;
+  return whole ? Json(static_cast<std::int64_t>(value)) : Json(value);
+}
+
+Json points_of(const Answer& answer) {
+  if (!answer) return nullptr;
+  Json points = Json::array();
+  for (const Point point : answer->points) points.push_back({coordinate(point.x), coordinate(point.y)});
+  return points;
+}
+
+Json object_of(const TrialRow& row, const Scenario& scenario) {
+  Json object;
+  object["scenario"] = scenario.id;
+  object["planner"] = row.planner;
+  object["verdict"] = name(row.verdict);
+  object["track"] = name(row.track);
+  object["rule"] = name(scenario.terrain.rule);
+  object["length"] = nullable(row.length);
+  object["optimum"] = nullable(row.optimum);
+  object["gap"] = nullable(row.gap);
+  object["turns"] = nullable(row.turns);
+  object[row.track == Track::lattice ? "cells" : "points"] = points_of(row.answer);
+  object["evaluations"] = row.work.evaluations;
+  object["iterations"] = row.work.iterations;
+  object["checks"] = row.work.checks;
+  object["digest"] = hex(row.digest);
+  object["backend"] = row.costs.backend;
+  object["threads"] = row.costs.threads;
+  object["threads_used"] = row.costs.threads_used;
+  object["wall_s"] = row.costs.wall_s;
+  object["note"] = row.note.empty() ? Json(nullptr) : Json(row.note);
+  return object;
+}
+
+// Bytes that are no UTF-8 become U+FFFD: a strange label must not cost the answer.
+std::string dumped(const Json& value) {
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace
+
+std::string to_json(const TrialRow& row, const Scenario& scenario) {
+  std::string text = "{";
+  const char* separator = "\n";
+  const Json object = object_of(row, scenario);
+  for (const auto& item : object.items()) {
+    text += separator;
+    text += "  " + dumped(item.key()) + ": " + dumped(item.value());
+    separator = ",\n";
+  }
+  return text + "\n}";
+}
+
+}  // namespace pathrace::results

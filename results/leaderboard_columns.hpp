@@ -1,0 +1,25 @@
+// The columns of the leaderboard: how each is called and printed, once for all renderers.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "results/leaderboard.hpp"
+
+namespace pathrace::results {
+
+struct LeaderboardColumn {
+  using Print = std::string (*)(const Standing&);
+
+  std::string_view csv_name;
+  Print csv;
+  std::string_view console_name;  ///< empty: the console leaves the column out
+  Print console;
+  bool left = false;  ///< aligned on the console
+};
+
+/// In the order of the CSV file, `family` excepted.
+const std::vector<LeaderboardColumn>& leaderboard_columns();
+
+}  // namespace pathrace::results

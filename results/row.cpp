@@ -1,0 +1,85 @@
+#include "results/row.hpp"
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "results/number_text.hpp"
+#include "results/quote.hpp"
+#include "results/split.hpp"
+
+namespace pathrace::results {
+namespace {
+
+void copy_metrics(const PathMetrics& metrics, const Optimum& optimum, TrialRow& row) {
+  row.length = metrics.length;
+  row.gap = gap(metrics, optimum);
+  row.turns = metrics.turns;
+  row.turn_angle = metrics.turn_angle;
+  row.clearance_min = metrics.clearance_min;
+  row.clearance_mean = metrics.clearance_mean;
+}
+
+Point parse_point(std::string_view text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string_view::npos)
+    throw InputError(fmt::format("expected a point 'x,y', got {}", quoted(text)));
+  return {parse_number(text.substr(0, comma)), parse_number(text.substr(comma + 1))};
+}
+
+}  // namespace
+
+TrialRow make_row(const TrialKey& key, const Scenario& scenario, const Entrant& entrant, const Budget& budget,
+                  const TrialRecord& record) {
+  TrialRow row;
+  row.key = key.hash();
+  row.scenario = scenario.id;
+  row.planner = entrant.label;
+  row.call = entrant.full_call();
+  row.version = entrant.card->version;
+  row.repetition = key.repetition;
+  row.seed = key.seed;
+  row.budget = to_string(budget);
+  row.verdict = record.verdict;
+  row.note = record.note;
+  row.track = entrant.card->track;
+  row.rule = scenario.terrain.rule;
+  if (scenario.optimum.length) row.optimum = scenario.optimum.length->value();
+  if (record.verdict == Verdict::solved && record.metrics) {
+    copy_metrics(*record.metrics, scenario.optimum, row);
+  }
+  row.work = record.work;
+  row.digest = digest(record);
+  row.timed = record.timed;
+  row.costs = record.costs;
+  row.answer = record.answer;
+  row.trace = record.trace;
+  return row;
+}
+
+std::uint64_t recomputed_digest(const TrialRow& row) {
+  TrialRecord record;
+  record.verdict = row.verdict;
+  record.answer = row.answer;
+  record.work = row.work;
+  record.trace = row.trace;
+  return digest(record);
+}
+
+std::string print_points(const Path& path) {
+  std::string text;
+  for (const Point point : path.points) {
+    if (!text.empty()) text += ' ';
+    append_number(text, point.x);
+    text += ',';
+    append_number(text, point.y);
+  }
+  return text;
+}
+
+std::vector<Point> parse_points(std::string_view text) {
+  std::vector<Point> points;
+  for_each_piece(text, ' ', [&](std::string_view piece) { points.push_back(parse_point(piece)); });
+  return points;
+}
+
+}  // namespace pathrace::results

@@ -1,0 +1,19 @@
+// From a row of the store to a TrialRow, trusting nothing: the file may have been edited or damaged.
+#pragma once
+
+#include <SQLiteCpp/Statement.h>
+
+#include "results/row.hpp"
+
+namespace pathrace::results {
+
+/// Reads the current row of select_slim() into `row`, path and trace excepted. Throws InputError that names
+/// the column; `row.key` is then already read, unless it is the broken one.
+void read_slim(SQLite::Statement& statement, TrialRow& row);
+/// The same for select_full(), path and trace included.
+void read_full(SQLite::Statement& statement, TrialRow& row);
+
+/// Key, digest and `timed` of select_digests().
+void read_digest(SQLite::Statement& statement, TrialRow& row);
+
+}  // namespace pathrace::results

@@ -1,0 +1,175 @@
+#include "results/row_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <initializer_list>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+#include "core/hash.hpp"
+#include "results/number_text.hpp"
+#include "results/trace_text.hpp"
+
+namespace pathrace::results {
+namespace {
+
+// Binds values from left to right. Text is borrowed: it outlives the statement's next execution.
+// tryReset, since a reset reports the failure of the execution before once more.
+class Binder {
+ public:
+  explicit Binder(SQLite::Statement& statement) : statement_(statement) { statement_.tryReset(); }
+
+  Binder& text(const std::string& value) {
+    statement_.bindNoCopy(++index_, value);
+    return *this;
+  }
+  Binder& name(std::string_view value) {
+    statement_.bind(++index_, std::string(value));
+    return *this;
+  }
+  Binder& integer(std::int64_t value) {
+    statement_.bind(++index_, value);
+    return *this;
+  }
+  Binder& count(std::uint64_t value) {
+    constexpr auto largest = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+    return value <= largest ? integer(static_cast<std::int64_t>(value)) : name(std::to_string(value));
+  }
+  Binder& real(double value) {
+    statement_.bind(++index_, value);
+    return *this;
+  }
+  Binder& real(const std::optional<double>& value) { return value ? real(*value) : null(); }
+  Binder& integer(const std::optional<int>& value) { return value ? integer(std::int64_t{*value}) : null(); }
+  Binder& null() {
+    statement_.bind(++index_);
+    return *this;
+  }
+
+ private:
+  SQLite::Statement& statement_;
+  int index_ = 0;
+};
+
+std::string identity_text(std::initializer_list<std::string_view> parts) {
+  std::string text;
+  for (const std::string_view part : parts)
+    fmt::format_to(std::back_inserter(text), "{}:{}", part.size(), part);
+  return text;
+}
+
+}  // namespace
+
+Interner::Interner(SQLite::Database& database, const std::string& find, const std::string& insert)
+    : database_(database), find_(database, find), insert_(database, insert) {}
+
+std::int64_t Interner::number(const std::string& identity, const Bind& bind) {
+  const auto known = known_.find(identity);
+  if (known != known_.end()) return known->second;
+  bind(find_);
+  std::int64_t number = 0;
+  if (find_.executeStep()) {
+    number = find_.getColumn(0).getInt64();
+  } else {
+    bind(insert_);
+    insert_.exec();
+    number = database_.getLastInsertRowid();
+  }
+  find_.reset();
+  known_.emplace(identity, number);
+  return number;
+}
+
+RowWriter::RowWriter(SQLite::Database& database)
+    : database_(database),
+      scenarios_(database, "SELECT number FROM scenario WHERE id = ? AND rule = ? AND optimum IS ?",
+                 "INSERT INTO scenario (id, rule, optimum) VALUES (?, ?, ?)"),
+      planners_(database,
+                "SELECT number FROM planner WHERE label = ? AND call = ? AND version = ? AND track = ? "
+                "AND budget = ?",
+                "INSERT INTO planner (label, call, version, track, budget) VALUES (?, ?, ?, ?, ?)"),
+      insert_trial_(
+          database,
+          "INSERT INTO trial (key, scenario, planner, repetition, seed, verdict, note, length, gap, "
+          "turns, turn_angle, clearance_min, clearance_mean, evaluations, iterations, checks, "
+          "digest, timed, wall_s, setup_s, backend, threads, threads_used, crowded) "
+          "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+      insert_answer_(database, "INSERT INTO answer (trial, path_track, path, trace) VALUES (?, ?, ?, ?)") {}
+
+void RowWriter::write(const TrialRow& row) {
+  write_trial(row);
+  write_answer(row);
+}
+
+void RowWriter::forget() {
+  scenarios_.forget();
+  planners_.forget();
+}
+
+std::int64_t RowWriter::scenario_number(const TrialRow& row) {
+  const std::string optimum = row.optimum ? print_number(*row.optimum) : "";
+  return scenarios_.number(identity_text({row.scenario, name(row.rule), optimum}),
+                           [&row](SQLite::Statement& statement) {
+                             Binder(statement).text(row.scenario).name(name(row.rule)).real(row.optimum);
+                           });
+}
+
+std::int64_t RowWriter::planner_number(const TrialRow& row) {
+  const std::string version = std::to_string(row.version);
+  return planners_.number(identity_text({row.planner, row.call, version, name(row.track), row.budget}),
+                          [&row](SQLite::Statement& statement) {
+                            Binder(statement)
+                                .text(row.planner)
+                                .text(row.call)
+                                .integer(std::int64_t{row.version})
+                                .name(name(row.track))
+                                .text(row.budget);
+                          });
+}
+
+void RowWriter::write_trial(const TrialRow& row) {
+  Binder(insert_trial_)
+      .name(hex(row.key))
+      .integer(scenario_number(row))
+      .integer(planner_number(row))
+      .count(row.repetition)
+      .count(row.seed)
+      .name(name(row.verdict))
+      .text(row.note)
+      .real(row.length)
+      .real(row.gap)
+      .integer(row.turns)
+      .real(row.turn_angle)
+      .real(row.clearance_min)
+      .real(row.clearance_mean)
+      .count(row.work.evaluations)
+      .count(row.work.iterations)
+      .count(row.work.checks)
+      .name(hex(row.digest))
+      .integer(std::int64_t{row.timed})
+      .real(row.costs.wall_s)
+      .real(row.costs.setup_s)
+      .text(row.costs.backend)
+      .integer(std::int64_t{row.costs.threads})
+      .integer(std::int64_t{row.costs.threads_used})
+      .integer(std::int64_t{row.costs.crowded});
+  insert_trial_.exec();
+}
+
+void RowWriter::write_answer(const TrialRow& row) {
+  const std::string path = row.answer ? print_points(*row.answer) : "";
+  const std::string trace = print_trace(row.trace);
+  Binder binder(insert_answer_);
+  binder.integer(database_.getLastInsertRowid());
+  if (row.answer) {
+    binder.name(name(row.answer->track)).text(path);
+  } else {
+    binder.null().null();
+  }
+  binder.text(trace);
+  insert_answer_.exec();
+}
+
+}  // namespace pathrace::results

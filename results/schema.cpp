@@ -1,0 +1,66 @@
+#include "results/schema.hpp"
+
+#include <fmt/format.h>
+
+namespace pathrace::results {
+namespace {
+
+constexpr const char* tables = R"(
+CREATE TABLE meta (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
+CREATE TABLE scenario (number INTEGER PRIMARY KEY, id TEXT NOT NULL, rule TEXT NOT NULL, optimum);
+CREATE INDEX scenario_by_id ON scenario (id);
+CREATE TABLE planner (
+  number INTEGER PRIMARY KEY, label TEXT NOT NULL, call TEXT NOT NULL, version INTEGER NOT NULL,
+  track TEXT NOT NULL, budget TEXT NOT NULL);
+CREATE INDEX planner_by_label ON planner (label);
+CREATE TABLE trial (
+  number INTEGER PRIMARY KEY, key TEXT NOT NULL UNIQUE,
+  scenario INTEGER NOT NULL REFERENCES scenario (number),
+  planner INTEGER NOT NULL REFERENCES planner (number),
+  repetition NOT NULL, seed NOT NULL, verdict TEXT NOT NULL, note TEXT NOT NULL,
+  length, gap, turns INTEGER, turn_angle, clearance_min, clearance_mean,
+  evaluations NOT NULL, iterations NOT NULL, checks NOT NULL, digest TEXT NOT NULL, timed INTEGER NOT NULL,
+  wall_s NOT NULL, setup_s NOT NULL, backend TEXT NOT NULL, threads INTEGER NOT NULL,
+  threads_used INTEGER NOT NULL, crowded INTEGER NOT NULL);
+CREATE TABLE answer (
+  trial INTEGER PRIMARY KEY REFERENCES trial (number), path_track TEXT, path TEXT, trace TEXT NOT NULL);
+)";
+
+constexpr const char* slim_columns =
+    "t.key AS key, s.id AS scenario, p.label AS planner, t.repetition AS repetition, t.seed AS seed, "
+    "t.verdict AS verdict, p.track AS track, t.length AS length, s.optimum AS optimum, t.gap AS gap, "
+    "t.turns AS turns, t.evaluations AS evaluations, t.iterations AS iterations, t.checks AS checks, "
+    "t.digest AS digest, t.wall_s AS wall_s, s.rule AS rule, p.call AS call, p.version AS version, "
+    "p.budget AS budget, t.note AS note, t.turn_angle AS turn_angle, t.clearance_min AS clearance_min, "
+    "t.clearance_mean AS clearance_mean, t.timed AS timed, t.setup_s AS setup_s, t.backend AS backend, "
+    "t.threads AS threads, t.threads_used AS threads_used, t.crowded AS crowded";
+
+// Left joins: a trial whose scenario, planner or answer is gone shows up with nulls and is reported.
+constexpr const char* joined =
+    "trial AS t LEFT JOIN scenario AS s ON s.number = t.scenario LEFT JOIN planner AS p ON p.number = "
+    "t.planner";
+
+}  // namespace
+
+std::string schema() {
+  return fmt::format(
+      "PRAGMA application_id = {}; PRAGMA user_version = {};\n{}\nCREATE VIEW trials AS SELECT {} FROM {};",
+      application_id, schema_version, tables, slim_columns, joined);
+}
+
+std::string select_slim() {
+  return fmt::format("SELECT {} FROM {} ORDER BY t.number", slim_columns, joined);
+}
+
+std::string select_full() {
+  return fmt::format(
+      "SELECT {}, a.path_track AS path_track, a.path AS path, a.trace AS trace FROM {} "
+      "LEFT JOIN answer AS a ON a.trial = t.number ORDER BY t.number",
+      slim_columns, joined);
+}
+
+std::string select_digests() {
+  return "SELECT key, digest, timed FROM trial ORDER BY number";
+}
+
+}  // namespace pathrace::results

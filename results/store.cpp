@@ -1,0 +1,158 @@
+#include "results/store.hpp"
+
+#include <SQLiteCpp/Column.h>
+#include <SQLiteCpp/Database.h>
+#include <SQLiteCpp/Statement.h>
+#include <SQLiteCpp/Transaction.h>
+#include <fmt/format.h>
+
+#include <optional>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/hash.hpp"
+#include "results/database.hpp"
+#include "results/number_text.hpp"
+#include "results/row_reader.hpp"
+#include "results/row_writer.hpp"
+#include "results/schema.hpp"
+#include "results/writer_lock.hpp"
+
+namespace pathrace::results {
+
+namespace fs = std::filesystem;
+
+// Members end in reverse order: the statements of the writer, the connection, then the lock.
+class Store::Impl {
+ public:
+  Impl(fs::path where, std::unique_ptr<WriterLock> held, Access access)
+      : file(std::move(where)), lock(std::move(held)), database(open_database(file, access)) {
+    try {
+      identity = read_identity(database);
+      if (access == Access::append) writer.emplace(database);
+    } catch (const SQLite::Exception& error) {
+      throw reading_error(file, error);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: the store is damaged: {}", file.string(), error.what()));
+    }
+  }
+
+  // Steps through a query; `use` gets the statement at each row and the key of the row before, to update.
+  template <typename Use>
+  void scan(const std::string& sql, const Use& use) const {
+    std::uint64_t last_key = 0;
+    try {
+      SQLite::Statement statement(database, sql);
+      while (statement.executeStep()) use(statement, last_key);
+    } catch (const SQLite::Exception& error) {
+      throw reading_error(file, error, last_key);
+    }
+  }
+
+  template <typename Read>
+  void visit_rows(const std::string& sql, const Read& read, const Visit& visit) const {
+    TrialRow row;  // one for all, so that its strings keep their memory
+    scan(sql, [&](SQLite::Statement& statement, std::uint64_t& last_key) {
+      row.key = 0;
+      read_or_name(statement, read, row, last_key);
+      last_key = row.key;
+      visit(row);
+    });
+  }
+
+  const fs::path file;
+  std::unique_ptr<WriterLock> lock;
+  SQLite::Database database;
+  StoreIdentity identity;
+  std::optional<RowWriter> writer;
+
+ private:
+  template <typename Read>
+  void read_or_name(SQLite::Statement& statement, const Read& read, TrialRow& row,
+                    std::uint64_t last_key) const {
+    try {
+      read(statement, row);
+    } catch (const InputError& error) {
+      const std::string place = row.key != 0 ? fmt::format("row with key {}", hex(row.key))
+                                             : fmt::format("row after key {}", hex(last_key));
+      throw InputError(fmt::format("{}: damaged {}: {}", file.string(), place, error.what()));
+    }
+  }
+};
+
+Store::Store(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Store::Store(Store&&) noexcept = default;
+Store& Store::operator=(Store&&) noexcept = default;
+Store::~Store() = default;
+
+Store Store::create(const fs::path& file, const StoreIdentity& identity) {
+  std::error_code error;
+  if (fs::exists(fs::symlink_status(file, error))) {
+    throw InputError(fmt::format("{}: already exists; expected a new file", file.string()));
+  }
+  auto lock = std::make_unique<WriterLock>(file);
+  create_database(file, identity);
+  return Store(std::make_unique<Impl>(file, std::move(lock), Access::append));
+}
+
+Store Store::open(const fs::path& file, Access access) {
+  if (access == Access::read) return Store(std::make_unique<Impl>(file, nullptr, access));
+  require_readable_file(file);
+  return Store(std::make_unique<Impl>(file, std::make_unique<WriterLock>(file), access));
+}
+
+const fs::path& Store::file() const {
+  return impl_->file;
+}
+const StoreIdentity& Store::identity() const {
+  return impl_->identity;
+}
+
+void Store::append(const std::vector<TrialRow>& rows) {
+  if (!impl_->writer) throw std::logic_error("append to a store that was opened to be read");
+  if (rows.empty()) return;
+  try {
+    SQLite::Transaction transaction(impl_->database);
+    for (const TrialRow& row : rows) impl_->writer->write(row);
+    transaction.commit();
+  } catch (const SQLite::Exception& error) {
+    impl_->writer->forget();
+    throw_writing_error(impl_->file, error);
+  } catch (...) {
+    impl_->writer->forget();
+    throw;
+  }
+}
+
+std::uint64_t Store::size() const {
+  std::int64_t count = 0;
+  impl_->scan("SELECT count(*) FROM trial", [&](SQLite::Statement& statement, std::uint64_t&) {
+    count = statement.getColumn(0).getInt64();
+  });
+  return static_cast<std::uint64_t>(count);
+}
+
+std::unordered_set<std::uint64_t> Store::keys() const {
+  std::unordered_set<std::uint64_t> keys;
+  for (const KeyedDigest& row : digests()) keys.insert(row.key);
+  return keys;
+}
+
+std::vector<KeyedDigest> Store::digests() const {
+  std::vector<KeyedDigest> digests;
+  impl_->visit_rows(select_digests(), read_digest, [&digests](const TrialRow& row) {
+    digests.push_back({row.key, row.digest, row.timed});
+  });
+  return digests;
+}
+
+void Store::for_each(const Visit& visit) const {
+  impl_->visit_rows(select_full(), read_full, visit);
+}
+void Store::for_each_slim(const Visit& visit) const {
+  impl_->visit_rows(select_slim(), read_slim, visit);
+}
+
+}  // namespace pathrace::results

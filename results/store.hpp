@@ -1,0 +1,72 @@
+// The store: one SQLite file per campaign, written by one process, read by any number.
+//
+// Write-ahead log with synchronous = NORMAL: a batch that was appended survives a killed process, and readers
+// never wait for the writer. Reads see the store as it was when they began. The tables are in schema.hpp.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <unordered_set>
+#include <vector>
+
+#include "core/record.hpp"
+#include "results/row.hpp"
+
+namespace pathrace::results {
+
+/// What campaign a store belongs to.
+struct StoreIdentity {
+  std::string campaign;      ///< name
+  std::string toml;          ///< the resolved campaign
+  std::uint64_t hash = 0;    ///< of the campaign
+  std::uint64_t seed = 0;    ///< of the campaign
+  std::uint64_t trials = 0;  ///< planned
+
+  friend bool operator==(const StoreIdentity&, const StoreIdentity&) = default;
+};
+
+enum class Access { read, append };
+
+/// Every reading function throws InputError when the file turns out to be damaged; it names the file and,
+/// where known, the trial's key.
+class Store {
+ public:
+  using Visit = std::function<void(const TrialRow&)>;
+
+  /// An empty store, open for appending. Throws InputError when the file exists, EnvironmentError when it
+  /// cannot be written.
+  static Store create(const std::filesystem::path& file, const StoreIdentity& identity);
+  /// Throws InputError when the file is missing, empty, not SQLite, damaged, not a pathrace store, of another
+  /// schema version, or (to append) when another writer has it open; EnvironmentError when it may not be read
+  /// or written.
+  static Store open(const std::filesystem::path& file, Access access);
+
+  Store(Store&&) noexcept;
+  Store& operator=(Store&&) noexcept;
+  ~Store();
+
+  const std::filesystem::path& file() const;
+  const StoreIdentity& identity() const;
+
+  /// All rows or none. Throws std::logic_error when a key is already there, EnvironmentError when the disk
+  /// is full or the file cannot be written.
+  void append(const std::vector<TrialRow>& rows);
+
+  std::uint64_t size() const;
+  std::unordered_set<std::uint64_t> keys() const;
+  std::vector<KeyedDigest> digests() const;
+  /// Every row in order of insertion. The row that `visit` sees is overwritten by the next one.
+  void for_each(const Visit& visit) const;
+  /// The same without path and trace: `answer` and `trace` stay empty. For tables over many rows.
+  void for_each_slim(const Visit& visit) const;
+
+ private:
+  class Impl;
+  explicit Store(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace pathrace::results

@@ -1,0 +1,16 @@
+// A scenario and an answer as a picture: obstacles, path, start, goal, title and length.
+#pragma once
+
+#include <ostream>
+#include <string>
+
+#include "core/planner.hpp"
+#include "core/scenario.hpp"
+
+namespace pathrace::results {
+
+/// A complete SVG 1.1 document of about 800 pixels, at most 1600 a side for the map, whatever its size.
+/// Without an answer it shows the question. Points that are not finite are left out.
+void write_svg(std::ostream& out, const Scenario& scenario, const Answer& answer, const std::string& title);
+
+}  // namespace pathrace::results

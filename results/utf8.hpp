@@ -1,0 +1,14 @@
+// Letters of a UTF-8 text.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace pathrace::results {
+
+/// Bytes of the letter that `text` begins with: 1 to 4, or 0 when it begins with no UTF-8.
+std::size_t letter_size(std::string_view text);
+/// Number of letters; a byte that is no UTF-8 counts as one.
+std::size_t letter_count(std::string_view text);
+
+}  // namespace pathrace::results

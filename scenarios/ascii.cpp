@@ -1,0 +1,48 @@
+#include "scenarios/ascii.hpp"
+
+#include <algorithm>
+#include <ostream>
+#include <string>
+
+namespace pathrace::scenarios {
+namespace {
+
+constexpr int most_columns = 120;
+
+// The block of cells behind one character.
+struct Block {
+  int left;
+  int top;
+  int right;   // exclusive
+  int bottom;  // exclusive
+
+  bool holds(Cell cell) const { return cell.x >= left && cell.x < right && cell.y >= top && cell.y < bottom; }
+};
+
+char draw(const Scenario& scenario, const Block& block) {
+  if (block.holds(scenario.start)) return 'S';
+  if (block.holds(scenario.goal)) return 'G';
+  int blocked = 0;
+  for (int y = block.top; y < block.bottom; ++y) {
+    for (int x = block.left; x < block.right; ++x) blocked += scenario.grid().is_free({x, y}) ? 0 : 1;
+  }
+  return 2 * blocked >= (block.right - block.left) * (block.bottom - block.top) ? '#' : '.';
+}
+
+}  // namespace
+
+void print_ascii(std::ostream& out, const Scenario& scenario) {
+  const int width = scenario.grid().width();
+  const int height = scenario.grid().height();
+  const int side = (width + most_columns - 1) / most_columns;
+  std::string row;
+  for (int y = 0; y < height; y += side) {
+    row.clear();
+    for (int x = 0; x < width; x += side) {
+      row += draw(scenario, {x, y, std::min(x + side, width), std::min(y + side, height)});
+    }
+    out << row << '\n';
+  }
+}
+
+}  // namespace pathrace::scenarios

@@ -1,0 +1,14 @@
+// A scenario as text, for terminals.
+#pragma once
+
+#include <iosfwd>
+
+#include "core/scenario.hpp"
+
+namespace pathrace::scenarios {
+
+/// One character per cell: `S` start, `G` goal, `#` blocked, `.` free. Maps wider than 120 columns are drawn
+/// with one character per block of cells: blocked where at least half of the block is.
+void print_ascii(std::ostream& out, const Scenario& scenario);
+
+}  // namespace pathrace::scenarios

@@ -1,0 +1,130 @@
+#include "scenarios/library.hpp"
+
+#include <fmt/format.h>
+#include <fnmatch.h>
+
+#include <charconv>
+
+#include "core/error.hpp"
+#include "core/names.hpp"
+#include "core/reference/exact_search.hpp"
+#include "scenarios/family.hpp"
+#include "scenarios/recorded.hpp"
+
+namespace pathrace::scenarios {
+namespace {
+
+constexpr std::string_view recorded_family = "movingai";
+
+std::vector<std::string_view> split(std::string_view id) {
+  std::vector<std::string_view> parts;
+  while (true) {
+    const std::size_t slash = id.find('/');
+    parts.push_back(id.substr(0, slash));
+    if (slash == std::string_view::npos) return parts;
+    id = id.substr(slash + 1);
+  }
+}
+
+std::string unknown_family(std::string_view name, std::string_view id) {
+  std::vector<std::string> known{std::string(recorded_family)};
+  for (const Family& family : families()) known.push_back(family.name);
+  return fmt::format("scenario '{}': {}", id, unknown_name("family", name, known));
+}
+
+// "dense/20-20/1..30" stands for thirty ids; a pattern without a range for itself.
+std::vector<std::string> expand_range(const std::string& pattern) {
+  const std::size_t dots = pattern.find("..");
+  if (dots == std::string::npos) return {pattern};
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  std::size_t begin = dots;
+  while (begin > 0 && is_digit(pattern[begin - 1])) --begin;
+  std::size_t end = dots + 2;
+  while (end < pattern.size() && is_digit(pattern[end])) ++end;
+  int first = 0;
+  int last = 0;
+  const bool readable =
+      std::from_chars(pattern.data() + begin, pattern.data() + dots, first).ec == std::errc{} &&
+      std::from_chars(pattern.data() + dots + 2, pattern.data() + end, last).ec == std::errc{};
+  if (!readable || last < first || last - first >= 1'000'000) {
+    throw InputError(fmt::format(
+        "scenario pattern '{}': expected a range FIRST..LAST of at most a million seeds, such as 1..30",
+        pattern));
+  }
+  std::vector<std::string> ids;
+  for (int seed = first; seed <= last; ++seed) {
+    for (const std::string& rest : expand_range(pattern.substr(end))) {
+      ids.push_back(fmt::format("{}{}{}", pattern.substr(0, begin), seed, rest));
+    }
+  }
+  return ids;
+}
+
+}  // namespace
+
+class Library::Recorded : public RecordedQueries {
+ public:
+  using RecordedQueries::RecordedQueries;
+};
+
+Library::Library(std::optional<std::filesystem::path> maps) : maps_(std::move(maps)) {
+  if (maps_) recorded_ = std::make_unique<Recorded>(*maps_);
+}
+
+Library::~Library() = default;
+
+Library::Recorded& Library::recorded(const std::string& id) const {
+  if (!recorded_) {
+    throw InputError(
+        fmt::format("scenario '{}' needs a folder of .map and .scen files: name one with --maps", id));
+  }
+  return *recorded_;
+}
+
+std::vector<std::string> Library::list() const {
+  std::vector<std::string> ids;
+  for (const Family& family : families()) ids.insert(ids.end(), family.library.begin(), family.library.end());
+  return ids;
+}
+
+Scenario Library::load(const std::string& id) const {
+  const std::vector<std::string_view> parts = split(id);
+  if (parts[0] == recorded_family) {
+    require_parts(id, "movingai/<scen>/<k>", {parts.begin() + 1, parts.end()}, 2);
+    return recorded(id).load(id, std::string(parts[1]), std::string(parts[2]));
+  }
+  for (const Family& family : families()) {
+    if (family.name == parts[0]) return family.make(id, {parts.begin() + 1, parts.end()});
+  }
+  throw InputError(unknown_family(parts[0], id));
+}
+
+std::vector<std::string> Library::select(const std::string& pattern) const {
+  std::vector<std::string> ids;
+  for (const std::string& item : expand_range(pattern)) {
+    if (item.find_first_of("*?[") == std::string::npos) {
+      ids.push_back(item);
+      continue;
+    }
+    const bool wants_recorded = item.starts_with(recorded_family);
+    for (const std::string& id : wants_recorded ? recorded(item).list() : list()) {
+      if (fnmatch(item.c_str(), id.c_str(), FNM_PATHNAME) == 0) ids.push_back(id);
+    }
+    if (ids.empty())
+      throw InputError(fmt::format("scenario pattern '{}' matches nothing in the library", item));
+  }
+  return ids;
+}
+
+std::vector<std::string> Library::spread_recorded(std::size_t per_scen, int longest_side,
+                                                  std::vector<std::string>* left_out) const {
+  return recorded("movingai/*/*").spread(per_scen, longest_side, left_out);
+}
+
+void prove(Scenario& scenario) {
+  if (!scenario.optimum.proven) {
+    scenario.optimum = reference::optimum(scenario.terrain, scenario.start, scenario.goal);
+  }
+}
+
+}  // namespace pathrace::scenarios

@@ -1,0 +1,57 @@
+// The library: from an id to a scenario, and from a pattern to ids.
+//
+// The generated families are endless; the library lists a finite part of them. Recorded queries,
+// `movingai/<scen>/<k>`, come from a folder of .map and .scen files, k counting the queries of the scen file
+// from 1.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/scenario.hpp"
+
+namespace pathrace::scenarios {
+
+class Library {
+ public:
+  /// `maps`: a folder that holds .map and .scen files, at any depth; without it there are no recorded
+  /// queries.
+  explicit Library(std::optional<std::filesystem::path> maps = std::nullopt);
+  ~Library();
+  Library(const Library&) = delete;
+  Library& operator=(const Library&) = delete;
+
+  /// The finite list of generated and curated ids, family by family; the same everywhere.
+  std::vector<std::string> list() const;
+
+  /// The scenario with this id; generated ones carry their proven optimum, recorded ones do not yet.
+  /// Throws InputError for an unknown family or a malformed id, InvalidScenario for a query that cannot be
+  /// one. Safe to call from several threads.
+  Scenario load(const std::string& id) const;
+
+  /// The ids that a campaign's pattern stands for: an id, a range of seeds `dense/20-20/1..30`, or a glob
+  /// over the list (`trap-*/20/*`, where `*` stays within one part). Throws InputError when there is none.
+  std::vector<std::string> select(const std::string& pattern) const;
+
+  /// Ids of up to `per_scen` recorded queries of each scen file, spread evenly; queries on maps with more
+  /// than `longest_side` cells a side are left out. Bad queries are passed over and described in `left_out`.
+  std::vector<std::string> spread_recorded(std::size_t per_scen, int longest_side,
+                                           std::vector<std::string>* left_out) const;
+
+  const std::optional<std::filesystem::path>& maps() const { return maps_; }
+
+ private:
+  class Recorded;
+  Recorded& recorded(const std::string& id) const;
+
+  std::optional<std::filesystem::path> maps_;
+  mutable std::unique_ptr<Recorded> recorded_;
+};
+
+/// Adds the proven optimum where it is missing, by exact search.
+void prove(Scenario& scenario);
+
+}  // namespace pathrace::scenarios

@@ -1,0 +1,106 @@
+#include "scenarios/movingai/text.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "core/error.hpp"
+
+namespace pathrace::scenarios {
+namespace {
+
+constexpr std::string_view blanks = " \t\r\n";
+constexpr std::size_t longest_value = 40;
+
+std::string escaped(unsigned char byte) {
+  return fmt::format("\\x{:02x}", static_cast<unsigned>(byte));
+}
+
+bool is_control(unsigned char byte) {
+  return byte < 0x20 || byte == 0x7f;
+}
+
+template <typename Number>
+std::optional<Number> number_of(std::string_view text) {
+  Number value{};
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc{} || stop != end) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+std::string printable(std::string_view value) {
+  std::string result;
+  for (const char character : value) {
+    const auto byte = static_cast<unsigned char>(character);
+    const std::string piece = is_control(byte) || byte > 0x7e ? escaped(byte) : std::string(1, character);
+    if (result.size() + piece.size() > longest_value) return result + "...";
+    result += piece;
+  }
+  return result;
+}
+
+std::string printable_name(std::string_view name) {
+  std::string result;
+  for (const char character : name) {
+    const auto byte = static_cast<unsigned char>(character);
+    result += is_control(byte) ? escaped(byte) : std::string(1, character);
+  }
+  return result;
+}
+
+void fail_at(std::string_view name, int line, std::string_view what) {
+  throw InputError(fmt::format("{}:{}: {}", printable_name(name), line, what));
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::vector<std::string_view> split_at(std::string_view text, char separator) {
+  std::vector<std::string_view> pieces;
+  while (true) {
+    const std::size_t end = text.find(separator);
+    pieces.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return pieces;
+    text.remove_prefix(end + 1);
+  }
+}
+
+std::vector<std::string_view> split_at_blanks(std::string_view text) {
+  std::vector<std::string_view> words;
+  for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
+    words.push_back(text.substr(0, text.find_first_of(blanks)));
+    text.remove_prefix(words.back().size());
+  }
+  return words;
+}
+
+std::optional<int> whole_number(std::string_view text) {
+  return number_of<int>(text);
+}
+
+std::optional<double> real_number(std::string_view text) {
+  return number_of<double>(text);
+}
+
+Lines::Lines(std::string_view text) {
+  const std::size_t last = text.find_last_not_of(blanks);
+  rest_ = last == std::string_view::npos ? std::string_view{} : text.substr(0, last + 1);
+}
+
+std::optional<std::string_view> Lines::next() {
+  ++number_;
+  if (rest_.empty()) return std::nullopt;
+  const std::size_t end = rest_.find('\n');
+  std::string_view line = rest_.substr(0, end);
+  rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
+}
+
+}  // namespace pathrace::scenarios

@@ -1,0 +1,129 @@
+// Dijkstra and A*, against the oracle.
+#include "baselines/grid/grid_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "baselines/grid/bucket_queue.hpp"
+#include "baselines/grid/ring_cost.hpp"
+#include "tests/support/maps.hpp"
+#include "tests/support/oracle.hpp"
+#include "tests/support/trials.hpp"
+
+namespace pathrace::testing {
+namespace {
+
+class ExactSearch : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(ExactSearch, FindsTheOraclesOptimumOnRandomMapsUnderEveryRule) {
+  for (std::uint64_t i = 0; i < 400; ++i) {
+    const Question question = random_question(Stream(61).fork(i), 14, 0.5);
+    for (const MoveRule rule : all_rules) {
+      const TrialRecord record = run({GetParam()}, scenario_of(question, rule));
+      const auto optimum = oracle_optimum(question.grid, rule, question.start, question.goal);
+      ASSERT_EQ(record.verdict, optimum ? Verdict::solved : Verdict::no_path) << i << ' ' << name(rule);
+      if (optimum) ASSERT_EQ(record.metrics->lattice, optimum) << i << ' ' << name(rule);
+    }
+  }
+}
+
+TEST_P(ExactSearch, FindsTheStatedOptimaOfTheReferenceMaps) {
+  for (const ReferenceMap& map : reference_maps()) {
+    for (const MoveRule rule : all_rules) {
+      const TrialRecord record =
+          run({GetParam()}, scenario_of({grid_of(map.rows), map.start, map.goal}, rule));
+      ASSERT_EQ(record.verdict, Verdict::solved) << map.name;
+      EXPECT_EQ(record.metrics->lattice, map.optimum(rule)) << map.name << ' ' << name(rule);
+    }
+  }
+}
+
+TEST_P(ExactSearch, StopsAtTheBudgetOfChecksExactlyAndSaysSo) {
+  const Scenario scenario = scenario_of({OccupancyGrid(30, 30), {0, 15}, {29, 15}});
+  const std::uint64_t needed = run({GetParam()}, scenario).work.checks;
+  Budget budget;
+  budget.checks = needed - 1;
+  const TrialRecord cut = run({GetParam(), budget}, scenario);
+  EXPECT_EQ(cut.verdict, Verdict::budget);
+  EXPECT_EQ(cut.work.checks, needed - 1);
+  budget.checks = needed;
+  EXPECT_EQ(run({GetParam(), budget}, scenario).verdict, Verdict::solved);
+}
+
+TEST_P(ExactSearch, AProofThatThereIsNoWayIsNoSpentBudget) {
+  Budget one_round;
+  one_round.iterations = 1;
+  const Scenario scenario = scenario_of({grid_of({".#."}), {0, 0}, {2, 0}});
+  EXPECT_EQ(run({GetParam(), one_round}, scenario).verdict, Verdict::no_path);
+}
+
+TEST_P(ExactSearch, MoreQueriesThanGenerationsDoNotMixUp) {
+  const OccupancyGrid grid = grid_of({"....", ".##.", ".#..", "...."});
+  const Terrain terrain = terrain_of(grid);
+  const Entrant entrant = bench::roster().enter({GetParam(), {}});
+  const auto planner = entrant.card->make(entrant.values)(terrain);
+  const auto executor = bench::make_executor("serial", 1);
+  const std::vector<Cell> cells = free_cells_of(grid);
+  const Referee referee(terrain);
+  for (std::size_t i = 0; i < 9000; ++i) {  // twelve bits of generation wrap after 4095
+    const Cell start = cells[i % cells.size()];
+    const Cell goal = cells[(i / cells.size()) % cells.size()];
+    Meter meter({});
+    Context context{Stream(1), *executor, meter};
+    const Answer answer = planner->plan(start, goal, context);
+    ASSERT_TRUE(answer.has_value()) << i;
+    const Judgement judgement = referee.judge(*answer, start, goal);
+    ASSERT_TRUE(judgement.legal()) << judgement.fault;
+    ASSERT_EQ(judgement.metrics->lattice, oracle_optimum(grid, MoveRule::strict, start, goal)) << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ExactSearch, ::testing::Values("astar", "dijkstra"));
+
+TEST(AStar, ExpandsNoMoreCellsThanDijkstra) {
+  const Scenario scenario = scenario_of({OccupancyGrid(40, 40), {5, 20}, {35, 20}});
+  EXPECT_LT(run({"astar"}, scenario).work.checks, run({"dijkstra"}, scenario).work.checks / 10);
+}
+
+TEST(RingCost, OrdersLikeTheExactLengthsEvenWhenTheyNearlyTie) {
+  // Pell's numbers give the closest ties there are: 1393 and 985 sqrt 2 differ by 0.00036.
+  const std::pair<std::int64_t, std::int64_t> nearly_equal[] = {
+      {577, 408}, {1393, 985}, {3363, 2378}, {8119, 5741}};
+  for (const auto& [straight, diagonal] : nearly_equal) {
+    for (std::int64_t extra = 0; extra < 3; ++extra) {
+      const LatticeLength a{straight + extra, extra};
+      const LatticeLength b{extra, diagonal + extra};
+      const auto cost = [](LatticeLength length) {
+        return static_cast<baselines::RingCost>(length.straight) * baselines::straight_cost +
+               static_cast<baselines::RingCost>(length.diagonal) * baselines::diagonal_cost;
+      };
+      EXPECT_EQ(cost(a) < cost(b), sign_of(a.straight - b.straight, a.diagonal - b.diagonal) < 0);
+    }
+  }
+}
+
+TEST(BucketQueue, ReturnsCostsInOrderUpToTheBucketsWidth) {
+  baselines::BucketQueue queue;
+  queue.restart(0);
+  queue.push(0, 0);
+  Stream stream(67);
+  baselines::RingCost last = 0;
+  std::vector<baselines::RingCost> cost_of{0};
+  for (int i = 0; i < 20000 && !queue.empty(); ++i) {
+    const baselines::RingCost cost = cost_of[queue.pop()];
+    ASSERT_GE(cost + (1U << 23), last);
+    last = std::max(last, cost);
+    for (std::uint64_t k = stream.below(3); k > 0;
+         --k) {  // like a search: from a step's least rise to its most
+      cost_of.push_back(cost + stream.below(2 * baselines::diagonal_cost));
+      queue.push(cost_of.back(), static_cast<std::uint32_t>(cost_of.size() - 1));
+    }
+  }
+  EXPECT_GT(cost_of.size(), 100U);
+}
+
+}  // namespace
+}  // namespace pathrace::testing

@@ -1,0 +1,174 @@
+// Campaign files: what they mean, and where they are wrong.
+#include "bench/campaign.hpp"
+
+#include <gtest/gtest.h>
+
+#include "bench/roster.hpp"
+#include "bench/trial_plan.hpp"
+#include "core/error.hpp"
+
+namespace pathrace::bench {
+namespace {
+
+constexpr const char* complete = R"([campaign]
+name = "x"
+seed = 7
+repetitions = 3
+[budget]
+evaluations = 500
+wall_s = 2.5
+[[planner]]
+name = "as"
+params = { dead_end = "backtrack", ants = [20, 50], beta = 2.5 }
+[[planner]]
+name = "astar"
+label = "A star"
+[[scenarios]]
+select = ["asr/*", "dense/10-10/1..2"]
+[[scenarios]]
+select = ["trap-u/10/1"]
+budget = { checks = 1000 }
+)";
+
+TrialPlan plan_of_text(const std::string& text) {
+  const scenarios::Library library;
+  return plan_trials(parse_campaign(text, "x.toml"), library, roster());
+}
+
+std::string error_of(const std::string& text) {
+  try {
+    plan_of_text(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Campaign, ReadsEveryKey) {
+  const Campaign campaign = parse_campaign(complete, "x.toml");
+  EXPECT_EQ(campaign.name, "x");
+  EXPECT_EQ(campaign.seed, 7U);
+  EXPECT_EQ(campaign.repetitions, 3U);
+  EXPECT_EQ(campaign.budget->evaluations, 500U);
+  EXPECT_EQ(campaign.budget->wall_s, 2.5);
+  ASSERT_EQ(campaign.planners.size(), 2U);
+  EXPECT_EQ(campaign.planners[1].label, "A star");
+  EXPECT_EQ(campaign.scenarios[1].budget->checks, 1000U);
+}
+
+TEST(Campaign, SurvivesBeingPrintedAndReadAgain) {
+  const scenarios::Library library;
+  for (const std::string& text :
+       {std::string(complete), to_toml(builtin_campaign("starter")), to_toml(builtin_campaign("smoke"))}) {
+    const Campaign campaign = parse_campaign(text, "x.toml");
+    const Campaign again = parse_campaign(to_toml(campaign), "printed.toml");
+    EXPECT_EQ(plan_trials(campaign, library, roster()).hash(), plan_trials(again, library, roster()).hash());
+  }
+}
+
+TEST(Campaign, AListOfValuesIsOnePlannerPerValue) {
+  const TrialPlan plan = plan_of_text(complete);
+  ASSERT_EQ(plan.entrants.size(), 3U);
+  EXPECT_EQ(plan.entrants[0].label, "as:ants=20,beta=2.5,dead_end=backtrack");
+  EXPECT_EQ(plan.entrants[1].label, "as:beta=2.5,dead_end=backtrack");  // 50 ants are the default
+  EXPECT_EQ(plan.entrants[2].label, "A star");
+  EXPECT_EQ(plan.trials.size(), 3U * 3 * (3 + 2 + 1));  // planners, repetitions, scenarios
+}
+
+TEST(Campaign, BudgetsOfScenariosReplaceTheCampaigns) {
+  const TrialPlan plan = plan_of_text(complete);
+  EXPECT_EQ(plan.trials.front().budget.evaluations, 500U);
+  EXPECT_FALSE(plan.trials.back().budget.evaluations.has_value());
+  EXPECT_EQ(plan.trials.back().budget.checks, 1000U);
+}
+
+TEST(Campaign, ExpandsInTheOrderScenarioPlannerRepetition) {
+  const TrialPlan plan = plan_of_text(complete);
+  EXPECT_EQ(plan.trials[0].key.repetition, 0U);
+  EXPECT_EQ(plan.trials[2].key.repetition, 2U);
+  EXPECT_EQ(plan.trials[3].entrant, 1U);
+  EXPECT_EQ(plan.trials[9].scenario, 1U);
+}
+
+TEST(Campaign, AScenarioSelectedTwiceRunsOnce) {
+  const std::string twice = R"(campaign = { name = "x" }
+planner = [{ name = "astar" }]
+scenarios = [{ select = ["asr/fig2", "asr/*"] }]
+)";
+  EXPECT_EQ(plan_of_text(twice).trials.size(), 3U);
+}
+
+TEST(Campaign, WallLimitsDoNotNameATrial) {
+  const std::string head =
+      "campaign = { name = \"x\" }\nplanner = [{ name = \"astar\" }]\nscenarios = [{ select = [\"asr/fig2\"] "
+      "}]\n";
+  const TrialPlan a = plan_of_text(head + "budget = { checks = 10, wall_s = 1 }\n");
+  const TrialPlan b = plan_of_text(head + "budget = { checks = 10, wall_s = 2 }\n");
+  const TrialPlan c = plan_of_text(head + "budget = { checks = 11, wall_s = 1 }\n");
+  EXPECT_EQ(a.trials[0].hash, b.trials[0].hash);
+  EXPECT_NE(a.trials[0].hash, c.trials[0].hash);
+}
+
+struct Fault {
+  const char* name;
+  const char* text;
+  std::vector<std::string> expected;
+};
+
+class CampaignFault : public ::testing::TestWithParam<Fault> {};
+
+TEST_P(CampaignFault, IsNamedWithItsPlace) {
+  const std::string message = error_of(GetParam().text);
+  for (const std::string& part : GetParam().expected) {
+    EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in: " << message;
+  }
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+}
+
+constexpr const char* tail = "[[planner]]\nname = \"astar\"\n[[scenarios]]\nselect = [\"asr/fig2\"]\n";
+const std::string head = "[campaign]\nname = \"x\"\n";
+const std::string bad_budget = head + "[budget]\nevaluations = 0\n" + tail;
+const std::string bad_wall = head + "[budget]\nwall_s = -1\n" + tail;
+const std::string empty_budget = head + "[budget]\n" + tail;
+const std::string bad_key = head + "[budgett]\nchecks = 1\n" + tail;
+const std::string bad_seed = "[campaign]\nname = \"x\"\nseed = -4\n" + std::string(tail);
+const std::string bad_type = "[campaign]\nname = \"x\"\nseed = \"one\"\n" + std::string(tail);
+const std::string no_planner = head + "[[scenarios]]\nselect = [\"asr/fig2\"]\n";
+const std::string bad_planner =
+    head + "[[planner]]\nname = \"astra\"\n[[scenarios]]\nselect = [\"asr/fig2\"]\n";
+const std::string bad_param =
+    head + "[[planner]]\nname = \"as\"\nparams = { antz = 3 }\n[[scenarios]]\nselect = [\"asr/fig2\"]\n";
+const std::string bad_value =
+    head + "[[planner]]\nname = \"as\"\nparams = { ants = 0 }\n[[scenarios]]\nselect = [\"asr/fig2\"]\n";
+const std::string bad_choice =
+    head +
+    "[[planner]]\nname = \"as\"\nparams = { dead_end = \"dye\" }\n[[scenarios]]\nselect = [\"asr/fig2\"]\n";
+const std::string bad_select = head + "[[planner]]\nname = \"as\"\n[[scenarios]]\nselect = \"asr/fig2\"\n";
+const std::string bad_glob = head + "[[planner]]\nname = \"as\"\n[[scenarios]]\nselect = [\"nothing-*/1\"]\n";
+const std::string twins =
+    head + "[[planner]]\nname = \"as\"\n[[planner]]\nname = \"as\"\n[[scenarios]]\nselect = [\"asr/fig2\"]\n";
+const std::string slash = "[campaign]\nname = \"a/b\"\n" + std::string(tail);
+
+INSTANTIATE_TEST_SUITE_P(
+    All, CampaignFault,
+    ::testing::Values(Fault{"syntax", "[campaign\nname = 1\n", {"x.toml:1:", "x.toml:1:10"}},
+                      Fault{"empty", "", {"x.toml:", "[campaign]"}},
+                      Fault{"unknown_key", bad_key.c_str(), {"x.toml:3:", "budgett", "'budget'"}},
+                      Fault{"zero_budget", bad_budget.c_str(), {"x.toml:4:", "evaluations", "got 0"}},
+                      Fault{"negative_wall", bad_wall.c_str(), {"x.toml:4:", "wall_s"}},
+                      Fault{"empty_budget", empty_budget.c_str(), {"x.toml:3:", "budget"}},
+                      Fault{"negative_seed", bad_seed.c_str(), {"x.toml:3:", "seed", "-4"}},
+                      Fault{"text_for_number", bad_type.c_str(), {"x.toml:3:", "seed", "integer"}},
+                      Fault{"no_planner", no_planner.c_str(), {"x.toml:", "[[planner]]"}},
+                      Fault{"unknown_planner", bad_planner.c_str(), {"astra", "'astar'"}},
+                      Fault{"unknown_parameter", bad_param.c_str(), {"antz", "'ants'"}},
+                      Fault{"value_out_of_range", bad_value.c_str(), {"ants", "1..100000", "'0'"}},
+                      Fault{"unknown_choice", bad_choice.c_str(), {"dye", "'die'"}},
+                      Fault{"select_is_no_list", bad_select.c_str(), {"x.toml:6:", "select"}},
+                      Fault{"glob_without_match", bad_glob.c_str(), {"nothing-*/1"}},
+                      Fault{"two_of_a_name", twins.c_str(), {"two planners", "'as'"}},
+                      Fault{"name_with_a_slash", slash.c_str(), {"x.toml:2:", "a/b"}}),
+    [](const auto& test) { return test.param.name; });
+
+}  // namespace
+}  // namespace pathrace::bench

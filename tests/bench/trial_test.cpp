@@ -1,0 +1,110 @@
+// One trial: every verdict, brought about by a planner that misbehaves in just that way.
+#include "bench/trial.hpp"
+
+#include <gtest/gtest.h>
+
+#include <new>
+#include <stdexcept>
+
+#include "core/error.hpp"
+#include "tests/support/trials.hpp"
+
+namespace pathrace::bench {
+namespace {
+
+using testing::grid_of;
+using testing::scenario_of;
+
+TrialRecord trial_of(PlanFunction plan, Budget budget = {}) {
+  PlannerCard card;
+  card.name = "test";
+  card = without_parameters(std::move(card), unprepared(std::move(plan)));
+  const Entrant entrant{&card, {}, "test"};
+  const Scenario scenario = scenario_of({grid_of({"..", ".."}), {0, 0}, {1, 1}});
+  const auto executor = make_executor("serial", 1);
+  return run_trial(entrant, scenario, Referee(scenario.terrain), budget, Stream(1), *executor);
+}
+
+Answer right_answer(const Problem&, Context&) {
+  return lattice_path({{0, 0}, {1, 1}});
+}
+
+TEST(Trial, ALegalPathIsSolvedAndMeasured) {
+  const TrialRecord record = trial_of(right_answer);
+  EXPECT_EQ(record.verdict, Verdict::solved);
+  EXPECT_EQ(record.metrics->lattice, (LatticeLength{0, 1}));
+}
+
+TEST(Trial, AnIllegalPathIsInvalidAndSaysWhy) {
+  const TrialRecord record = trial_of([](const Problem&, Context&) {
+    return lattice_path({{0, 0}, {1, 0}});
+  });
+  EXPECT_EQ(record.verdict, Verdict::invalid);
+  EXPECT_NE(record.note.find("goal"), std::string::npos);
+  EXPECT_FALSE(record.metrics.has_value());
+}
+
+TEST(Trial, APathOnAnotherTrackIsInvalid) {
+  const TrialRecord record = trial_of([](const Problem&, Context&) -> Answer {
+    return Path{Track::any_angle, {{0, 0}, {1, 1}}};
+  });
+  EXPECT_EQ(record.verdict, Verdict::invalid);
+}
+
+TEST(Trial, SpendingMoreThanTheBudgetIsInvalidHoweverGoodThePath) {
+  Budget budget;
+  budget.evaluations = 3;
+  const TrialRecord record = trial_of(
+      [](const Problem& problem, Context& context) {
+        context.meter.spend_evaluations(4);
+        return right_answer(problem, context);
+      },
+      budget);
+  EXPECT_EQ(record.verdict, Verdict::invalid);
+  EXPECT_NE(record.note.find("4 evaluations"), std::string::npos);
+}
+
+TEST(Trial, AnEmptyAnswerIsNoPathUnlessTheBudgetRanOut) {
+  EXPECT_EQ(trial_of([](const Problem&, Context&) { return Answer{}; }).verdict, Verdict::no_path);
+  Budget budget;
+  budget.checks = 2;
+  const auto spend = [](const Problem&, Context& context) {
+    context.meter.spend_checks(2);
+    return Answer{};
+  };
+  EXPECT_EQ(trial_of(spend, budget).verdict, Verdict::budget);
+  const auto conclude = [&spend](const Problem& problem, Context& context) {
+    context.meter.conclude();
+    return spend(problem, context);
+  };
+  EXPECT_EQ(trial_of(conclude, budget).verdict, Verdict::no_path);
+}
+
+TEST(Trial, WhatAPlannerThrowsBecomesAVerdict) {
+  const auto verdict_of = [](auto exception) {
+    return trial_of([exception](const Problem&, Context&) -> Answer { throw exception; });
+  };
+  EXPECT_EQ(verdict_of(std::bad_alloc()).verdict, Verdict::out_of_memory);
+  EXPECT_EQ(verdict_of(Unsupported("only the rule four")).verdict, Verdict::unsupported);
+  EXPECT_EQ(verdict_of(Unsupported("only the rule four")).note, "only the rule four");
+  EXPECT_EQ(verdict_of(InvalidScenario("no grid")).verdict, Verdict::bad_scenario);
+  EXPECT_EQ(verdict_of(std::runtime_error("index 7")).verdict, Verdict::crashed);
+  EXPECT_EQ(verdict_of(42).verdict, Verdict::crashed);
+}
+
+TEST(Trial, AWallLimitMarksTheRecordAsTimed) {
+  Budget budget;
+  budget.wall_s = 1e-9;
+  const TrialRecord record = trial_of(
+      [](const Problem&, Context& context) {
+        while (!context.meter.exhausted()) {
+        }
+        return Answer{};
+      },
+      budget);
+  EXPECT_TRUE(record.timed);
+  EXPECT_EQ(record.verdict, Verdict::budget);
+}
+
+}  // namespace
+}  // namespace pathrace::bench

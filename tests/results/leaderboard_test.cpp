@@ -1,0 +1,314 @@
+#include "results/leaderboard.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "tests/results/rows.hpp"
+
+namespace pathrace::results {
+namespace {
+
+/// A store that fills as the test speaks.
+class Race {
+ public:
+  Race() : store_(Store::create(folder_ / "results.db", some_identity())) {}
+
+  /// A solved trial with this gap on a map of optimum 10.
+  Race& solved(const std::string& planner, double gap, const std::string& scenario = "dense/10-20/1") {
+    TrialRow row = solved_row(++key_, planner, scenario);
+    row.optimum = 10;
+    row.gap = gap;
+    row.length = 10 * (1 + gap);
+    return add(row);
+  }
+  Race& failed(const std::string& planner, const std::string& scenario = "dense/10-20/1") {
+    TrialRow row = failed_row(++key_, planner, scenario);
+    row.optimum = 10;
+    return add(row);
+  }
+  Race& add(TrialRow row) {
+    row.key = ++key_;
+    store_.append({row});
+    return *this;
+  }
+  std::vector<Standing> standings(Grouping grouping = Grouping::all) const {
+    return leaderboard(store_, grouping);
+  }
+  Standing only() const {
+    EXPECT_EQ(standings().size(), 1U);
+    return standings().front();
+  }
+
+ private:
+  TemporaryFolder folder_;
+  std::uint64_t key_ = 0;
+  Store store_;
+};
+
+std::string order(const std::vector<Standing>& standings) {
+  std::string text;
+  for (const Standing& standing : standings) {
+    text += (text.empty() ? "" : " ") + std::to_string(standing.rank) + standing.planner;
+  }
+  return text;
+}
+
+TEST(Leaderboard, CountsTrialsAndTakesMedians) {
+  Race race;
+  for (const double i : {1.0, 2.0, 3.0, 4.0}) {
+    TrialRow row = solved_row(0, "as", "dense/10-20/1");
+    row.optimum = 10;
+    row.gap = i / 8;
+    row.length = 10 + i;
+    row.turns = static_cast<int>(i * i);
+    row.work = {static_cast<std::uint64_t>(i * 10), 1, static_cast<std::uint64_t>(i * 1000)};
+    row.costs.wall_s = i / 4;
+    race.add(row);
+  }
+  const Standing standing = race.only();
+  EXPECT_EQ(standing.rank, 1);
+  EXPECT_EQ(standing.group, "");
+  EXPECT_EQ(standing.planner, "as");
+  EXPECT_EQ(standing.trials, 4U);
+  EXPECT_EQ(standing.solved, 4U);
+  EXPECT_EQ(standing.success, 1);
+  EXPECT_EQ(standing.gap_median, 0.3125);  // between 2/8 and 3/8
+  EXPECT_EQ(standing.gap_solved, 0.3125);
+  EXPECT_EQ(standing.length_median, 12.5);
+  EXPECT_EQ(standing.turns_median, 6.5);       // 1 4 9 16
+  EXPECT_EQ(standing.evaluations_median, 25);  // 10 20 30 40
+  EXPECT_EQ(standing.checks_median, 2500);
+  EXPECT_EQ(standing.time_ms_median, 625);  // 250 500 750 1000
+  EXPECT_FALSE(standing.crowded);
+}
+
+TEST(Leaderboard, TakesAFailureForAnInfiniteGap) {
+  Race race;
+  race.solved("as", 0.25).solved("as", 0.5).failed("as");
+  EXPECT_EQ(race.only().success, 2.0 / 3);
+  EXPECT_EQ(race.only().gap_median, 0.5);  // 0.25 0.5 infinite
+  EXPECT_EQ(race.only().gap_solved, 0.375);
+  EXPECT_EQ(race.only().length_median, 13.75);  // 12.5 15
+}
+
+TEST(Leaderboard, HasNoGapWhenHalfFail) {
+  Race race;
+  race.solved("as", 0).failed("as");
+  EXPECT_FALSE(race.only().gap_median.has_value());
+  EXPECT_EQ(race.only().gap_solved, 0);
+}
+
+TEST(Leaderboard, MeasuresWorkAndTimeOverFailuresToo) {
+  Race race;
+  TrialRow row = failed_row(0, "as", "dense/10-20/1");
+  row.work = {100, 1, 900};
+  row.costs.wall_s = 1;
+  race.add(solved_row(0, "as", "dense/10-20/1")).add(row);
+  EXPECT_EQ(race.only().evaluations_median, 50.5);  // 1 100
+  EXPECT_EQ(race.only().checks_median, 451.5);      // 3 900
+  EXPECT_EQ(race.only().time_ms_median, 500.5);     // 1 1000
+}
+
+TEST(Leaderboard, HasNoMetricsWhenNothingWasSolved) {
+  Race race;
+  race.failed("as");
+  const Standing standing = race.only();
+  EXPECT_EQ(standing.success, 0);
+  EXPECT_FALSE(standing.gap_median || standing.gap_solved || standing.length_median || standing.turns_median);
+  EXPECT_TRUE(standing.evaluations_median && standing.checks_median && standing.time_ms_median);
+}
+
+TEST(Leaderboard, LeavesTrialsWithoutAReferenceOutOfTheGapAlone) {
+  Race race;
+  TrialRow unknown = solved_row(0, "as", "movingai/x/1");
+  unknown.optimum = unknown.gap = std::nullopt;
+  unknown.length = 30;
+  TrialRow lost = failed_row(0, "as", "movingai/x/2");
+  lost.optimum = std::nullopt;
+  race.add(unknown).add(lost);
+  EXPECT_FALSE(race.only().gap_median || race.only().gap_solved);
+  race.solved("as", 0.5);
+  EXPECT_EQ(race.only().gap_median, 0.5);      // the failure had no reference
+  EXPECT_EQ(race.only().length_median, 22.5);  // 15 30
+  EXPECT_EQ(race.only().success, 2.0 / 3);
+}
+
+TEST(Leaderboard, CountsOnlySolvedAsSolved) {
+  for (const auto& [verdict, text] : names_of<Verdict>) {
+    Race race;
+    TrialRow row = failed_row(0, "as", "dense/10-20/1");
+    row.verdict = verdict;
+    race.add(row);
+    EXPECT_EQ(race.only().solved, verdict == Verdict::solved ? 1U : 0U) << text;
+  }
+}
+
+TEST(Leaderboard, RanksBySuccessThenGapThenGapOfTheSolvedThenLabel) {
+  Race race;
+  race.solved("d", 0).failed("d").failed("d");  // 1/3
+  race.solved("c", 0.5).solved("c", 0.5);       // all, worse gap
+  race.solved("b", 0.25).solved("b", 0.25);     // all, better gap
+  race.solved("f", 0.75).failed("f");           // half, no gap; worse among the solved
+  race.solved("e", 0.5).failed("e");            // half, no gap
+  race.failed("a");
+  EXPECT_EQ(order(race.standings()), "1b 2c 3e 4f 5d 6a");
+}
+
+TEST(Leaderboard, PutsAMissingGapAfterEveryOther) {
+  Race race;
+  TrialRow unknown = solved_row(0, "a", "movingai/x/1");
+  unknown.optimum = unknown.gap = std::nullopt;
+  race.add(unknown).solved("b", 100);
+  EXPECT_EQ(order(race.standings()), "1b 2a");
+}
+
+TEST(Leaderboard, SharesARankBetweenEquals) {
+  Race race;
+  race.solved("b", 0.5).solved("a", 0.5).solved("c", 0.75).failed("e").failed("d");
+  EXPECT_EQ(order(race.standings()), "1a 1b 3c 4d 4e");
+}
+
+TEST(Leaderboard, ComparesSharesOfDifferentCountsExactly) {
+  Race race;
+  race.solved("a", 0.5).failed("a").failed("a");
+  for (int i = 0; i < 2; ++i) race.solved("b", 0.5).failed("b").failed("b");
+  EXPECT_EQ(order(race.standings()), "1a 1b");
+}
+
+TEST(Leaderboard, HasARowPerTrack) {
+  Race race;
+  TrialRow row = solved_row(0, "a", "dense/10-20/1");
+  race.add(row);
+  row.track = Track::any_angle;
+  race.add(row).add(row);
+  const std::vector<Standing> standings = race.standings();
+  ASSERT_EQ(standings.size(), 2U);
+  EXPECT_EQ(standings[0].track, Track::lattice);
+  EXPECT_EQ(standings[0].trials, 1U);
+  EXPECT_EQ(standings[1].track, Track::any_angle);
+  EXPECT_EQ(standings[1].trials, 2U);
+}
+
+TEST(Leaderboard, RanksWithinEachFamily) {
+  Race race;
+  race.solved("a", 0.5, "trap-u/20/1").solved("b", 0.25, "trap-u/20/2");
+  race.solved("a", 0.25, "dense/10-20/1").solved("b", 0.5, "dense/20-20/1");
+  const std::vector<Standing> standings = race.standings(Grouping::family);
+  EXPECT_EQ(order(standings), "1a 2b 1b 2a");
+  EXPECT_EQ(standings[0].group, "dense");
+  EXPECT_EQ(standings[3].group, "trap-u");
+  EXPECT_EQ(order(race.standings()), "1a 1b");
+}
+
+TEST(Leaderboard, KnowsAFamilyByTheIdUpToItsFirstSlash) {
+  EXPECT_EQ(family_of("dense/10-20/1"), "dense");
+  EXPECT_EQ(family_of("asr/fig2"), "asr");
+  EXPECT_EQ(family_of("alone"), "alone");
+}
+
+TEST(Leaderboard, IsCrowdedWhenOneTrialWas) {
+  Race race;
+  TrialRow row = solved_row(0, "a", "dense/10-20/1");
+  race.add(row);
+  EXPECT_FALSE(race.only().crowded);
+  row.costs.crowded = true;
+  race.add(row);
+  EXPECT_TRUE(race.only().crowded);
+}
+
+TEST(Leaderboard, OfAnEmptyStoreIsEmpty) {
+  EXPECT_TRUE(Race().standings().empty());
+  EXPECT_TRUE(Race().standings(Grouping::family).empty());
+}
+
+// --- renderers -------------------------------------------------------------------------------------
+
+constexpr const char* header =
+    "rank,planner,track,trials,solved,success,gap_median,gap_solved,length_median,turns_median,"
+    "evaluations_median,checks_median,time_ms_median,time_pass";
+
+std::string csv(const std::vector<Standing>& standings) {
+  std::ostringstream out;
+  write_csv(out, standings);
+  return out.str();
+}
+
+std::string console(const std::vector<Standing>& standings) {
+  std::ostringstream out;
+  print_console(out, standings);
+  return out.str();
+}
+
+Standing some_standing() {
+  Standing standing;
+  standing.rank = 1;
+  standing.planner = "as:ants=20,alpha=1";
+  standing.trials = 4;
+  standing.solved = 3;
+  standing.success = 0.75;
+  standing.gap_solved = 0.0625;
+  standing.length_median = 28.5;
+  standing.turns_median = 6.5;
+  standing.evaluations_median = 5000;
+  standing.checks_median = 1234567;
+  standing.time_ms_median = 0.03125;
+  return standing;
+}
+
+TEST(LeaderboardCsv, HasTheAgreedColumnsAndADashForNothing) {
+  EXPECT_EQ(csv({some_standing()}), std::string(header) +
+                                        "\n1,\"as:ants=20,alpha=1\",lattice,4,3,0.75,-,0.0625,28.5,6.5,5000,"
+                                        "1234567,0.03125,alone\n");
+  EXPECT_EQ(csv({}), std::string(header) + "\n");
+}
+
+TEST(LeaderboardCsv, NamesTheFamilyLast) {
+  Standing standing = some_standing();
+  standing.group = "trap-u";
+  standing.crowded = true;
+  const std::string text = csv({standing});
+  EXPECT_EQ(text.substr(0, text.find('\n')), std::string(header) + ",family");
+  EXPECT_NE(text.find(",crowded,trap-u\n"), std::string::npos);
+}
+
+TEST(LeaderboardConsole, AlignsItsColumns) {
+  Standing first = some_standing();
+  Standing second = some_standing();
+  second.rank = 12;
+  second.planner = "\xC3\xA9t\xC3\xA9";
+  second.gap_median = 0.1;
+  EXPECT_EQ(console({first, second}),
+            "rank  planner             track    trials  solved  success     gap  gap solved  length  turns  "
+            "evaluations   checks      ms\n"
+            "   1  as:ants=20,alpha=1  lattice       4       3    75.0%       -       6.25%   28.50    6.5  "
+            "       5000  1234567  0.0312\n"
+            "  12  \xC3\xA9t\xC3\xA9                 lattice       4       3    75.0%  10.00%       6.25%   "
+            "28.50    6.5  "
+            "       5000  1234567  0.0312\n");
+}
+
+TEST(LeaderboardConsole, MarksTimesFromCrowdedTrials) {
+  Standing standing = some_standing();
+  EXPECT_EQ(console({standing}).find('~'), std::string::npos);
+  standing.crowded = true;
+  EXPECT_NE(console({standing}).find("0.0312~\n~ "), std::string::npos);
+}
+
+TEST(LeaderboardConsole, PrintsABlockPerFamily) {
+  Standing first = some_standing();
+  Standing second = some_standing();
+  first.group = "dense";
+  second.group = "trap-u";
+  const std::string text = console({first, first, second});
+  EXPECT_EQ(text.find("dense\nrank"), 0U);
+  EXPECT_NE(text.find("\n\ntrap-u\nrank"), std::string::npos);
+  EXPECT_EQ(text.find("dense", 5), std::string::npos);
+}
+
+TEST(LeaderboardConsole, SaysSoWhenThereIsNothing) {
+  EXPECT_EQ(console({}), "no trials\n");
+}
+
+}  // namespace
+}  // namespace pathrace::results
