@@ -16,9 +16,9 @@ namespace {
 
 constexpr std::string_view nan_prefix = "nan:";
 
-template <typename Number, typename... Base>
-bool read_whole(std::string_view text, Number& number, Base... base) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number, base...);
+template <typename Number>
+bool read_whole(std::string_view text, Number& number) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   return error == std::errc{} && end == text.data() + text.size();
 }
 
@@ -57,7 +57,13 @@ std::uint64_t parse_count(std::string_view text) {
 
 std::uint64_t parse_hex(std::string_view text) {
   std::uint64_t value = 0;
-  if (!read_whole(text, value, 16) || hex(value) != text) {
+  bool good = text.size() == 16;
+  for (const char digit : text) {
+    const bool decimal = digit >= '0' && digit <= '9';
+    good = good && (decimal || (digit >= 'a' && digit <= 'f'));
+    value = value << 4 | static_cast<std::uint64_t>(decimal ? digit - '0' : digit - 'a' + 10);
+  }
+  if (!good) {
     throw InputError(fmt::format("expected 16 lower-case hexadecimal digits, got {}", quoted(text)));
   }
   return value;

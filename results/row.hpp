@@ -15,29 +15,29 @@ namespace pathrace::results {
 
 struct TrialRow {
   std::uint64_t key = 0;
-  std::string scenario;             ///< id
-  std::string planner;              ///< label
-  std::string call;                 ///< the planner with every parameter
-  int version = 1;                  ///< of the planner's card
+  std::string scenario;  ///< id
+  std::string planner;   ///< label
+  std::string call;      ///< the planner with every parameter
+  int version = 1;       ///< of the planner's card
   std::uint64_t repetition = 0;
   std::uint64_t seed = 0;
-  std::string budget;               ///< as printed by to_string(Budget)
+  std::string budget;  ///< as printed by to_string(Budget)
   Verdict verdict = Verdict::crashed;
-  std::string note;                 ///< why, where the verdict needs a reason
+  std::string note;  ///< why, where the verdict needs a reason
   Track track = Track::lattice;
   MoveRule rule = MoveRule::strict;
-  std::optional<double> length;     ///< cells; of solved trials, like the other metrics
-  std::optional<double> optimum;    ///< cells; empty where none is proven or there is no way
-  std::optional<double> gap;        ///< length / optimum - 1
+  std::optional<double> length;   ///< cells; of solved trials, like the other metrics
+  std::optional<double> optimum;  ///< cells; empty where none is proven or there is no way
+  std::optional<double> gap;      ///< length / optimum - 1
   std::optional<int> turns;
-  std::optional<double> turn_angle;  ///< radians
+  std::optional<double> turn_angle;      ///< radians
   std::optional<double> clearance_min;   ///< cells
   std::optional<double> clearance_mean;  ///< cells
-  Work work;                        ///< evaluations, iterations, checks
+  Work work;                             ///< evaluations, iterations, checks
   std::uint64_t digest = 0;
-  bool timed = false;               ///< cut short by a wall-time limit
+  bool timed = false;  ///< cut short by a wall-time limit
   Costs costs;
-  Answer answer;                    ///< the path itself
+  Answer answer;  ///< the path itself
   std::vector<TracePoint> trace;
 };
 

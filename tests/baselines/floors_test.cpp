@@ -30,7 +30,8 @@ TEST(Greedy, GetsStuckInABlindAlleyAndSaysThatItHasNoPath) {
 TEST(RandomWalk, ItsPathHasNoLoops) {
   const Scenario scenario = scenario_of({OccupancyGrid(8, 8), {0, 0}, {7, 7}});
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
-    const TrialRecord record = run({"random-walk:max_steps=1000000", evaluations(1), "serial", 1, seed}, scenario);
+    const TrialRecord record =
+        run({"random-walk:max_steps=1000000", evaluations(1), "serial", 1, seed}, scenario);
     ASSERT_EQ(record.verdict, Verdict::solved);
     std::set<std::pair<double, double>> cells;
     for (const Point point : record.answer->points) cells.insert({point.x, point.y});

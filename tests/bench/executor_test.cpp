@@ -21,22 +21,12 @@
 
 #include "core/error.hpp"
 #include "core/stream.hpp"
+#include "tests/support/sanitizers.hpp"
 
 namespace pathrace::bench {
 namespace {
 
-// libgomp and the packaged TBB are not instrumented: the thread sanitizer would report their own locks.
-#if defined(__SANITIZE_THREAD__)
-constexpr bool thread_sanitizer = true;
-#elif defined(__has_feature)
-#if __has_feature(thread_sanitizer)
-constexpr bool thread_sanitizer = true;
-#else
-constexpr bool thread_sanitizer = false;
-#endif
-#else
-constexpr bool thread_sanitizer = false;
-#endif
+using pathrace::testing::thread_sanitizer;
 
 std::vector<std::string> names_under_test() {
   return thread_sanitizer ? std::vector<std::string>{"serial", "threads"} : executor_names();
@@ -58,7 +48,7 @@ void rendezvous(Executor& executor) {
                  [&](std::size_t) { together.arrive_and_wait(); });
 }
 
-class ExecutorContract : public testing::TestWithParam<std::tuple<std::string, int>> {
+class ExecutorContract : public ::testing::TestWithParam<std::tuple<std::string, int>> {
  protected:
   std::unique_ptr<Executor> another() const {
     return make_executor(std::get<0>(GetParam()), std::get<1>(GetParam()));
@@ -266,12 +256,13 @@ TEST_P(ExecutorContract, AnExceptionReachesTheCallerItBelongsToAndNoOther) {
   EXPECT_EQ(seen, (std::vector<std::string>{"caller 0", "caller 1", "caller 2", "caller 3"}));
 }
 
-std::string test_name(const testing::TestParamInfo<ExecutorContract::ParamType>& info) {
+std::string test_name(const ::testing::TestParamInfo<ExecutorContract::ParamType>& info) {
   return fmt::format("{}_{}", std::get<0>(info.param), std::get<1>(info.param));
 }
 
 INSTANTIATE_TEST_SUITE_P(Executors, ExecutorContract,
-                         testing::Combine(testing::ValuesIn(names_under_test()), testing::Values(1, 2, 4)),
+                         ::testing::Combine(::testing::ValuesIn(names_under_test()),
+                                            ::testing::Values(1, 2, 4)),
                          test_name);
 
 TEST(Executors, TwoKindsAndTwoSizesAtATimeAllGetTheirThreads) {

@@ -2,17 +2,17 @@
 // dpkg-query, apt-get and sudo. Each of them writes its name and arguments into `calls`; a file named after
 // a tool's failing makes it fail.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
+
+#include "tests/support/process.hpp"
 
 namespace pathrace::bench {
 namespace {
@@ -70,13 +70,9 @@ shift
 exec "$@"
 )sh";
 
-struct Outcome {
-  int code = -1;
-  std::string out;
-  std::string err;
-};
+using pathrace::testing::Finished;
 
-class Launcher : public testing::Test {
+class Launcher : public ::testing::Test {
  protected:
   Launcher() {
     for (const char* folder : {"cmake", "core", "scenarios", "algorithms", "baselines", "results", "bench"}) {
@@ -93,7 +89,6 @@ class Launcher : public testing::Test {
     add_tool("apt-get", fake_apt_get);
     add_tool("sudo", fake_sudo);
   }
-  ~Launcher() override { fs::remove_all(home_); }
 
   fs::path root() const { return home_ / "check out"; }
   fs::path home() const { return home_; }
@@ -118,23 +113,20 @@ class Launcher : public testing::Test {
     return count;
   }
 
-  /// Runs a shell command, by default in a folder that is not the checkout.
-  Outcome shell(const std::string& command, const std::string& variables = "", int number = 0) const {
-    const fs::path out = home_ / ("out" + std::to_string(number));
-    const fs::path err = home_ / ("err" + std::to_string(number));
+  /// Runs a shell command in a folder that is not the checkout.
+  Finished shell(const std::string& command, const std::string& variables = "") const {
     const std::string line = "cd '" + home_.string() + "' && env -i PATH='" + (home_ / "tools").string() +
                              ":/usr/bin:/bin' CALLS='" + (home_ / "calls").string() + "' " + variables + " " +
-                             command + " >'" + out.string() + "' 2>'" + err.string() + "' </dev/null";
-    const int status = std::system(line.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(out), read(err)};
+                             command;
+    return pathrace::testing::run_program("/bin/bash", {"-c", line});
   }
 
-  Outcome launch(const std::string& arguments = "", const std::string& variables = "") const {
+  Finished launch(const std::string& arguments = "", const std::string& variables = "") const {
     return shell("'check out/pathrace' " + arguments, variables);
   }
 
   /// The same as somebody who is not root and may not use sudo.
-  Outcome launch_without_rights() const {
+  Finished launch_without_rights() const {
     write(home_ / "no_sudo", "");
     const bool is_root = geteuid() == 0;
     return shell(std::string(is_root ? "setpriv --reuid=65534 --regid=65534 --clear-groups " : "") +
@@ -142,23 +134,19 @@ class Launcher : public testing::Test {
   }
 
  private:
-  static fs::path make_home() {
-    std::string pattern = testing::TempDir() + "pathrace-launcher-XXXXXX";
-    return fs::canonical(mkdtemp(pattern.data()));
-  }
-
   void add_tool(const std::string& name, const char* script) const {
     write(home_ / "tools" / name, script);
     fs::permissions(home_ / "tools" / name,
                     fs::perms::owner_all | fs::perms::others_read | fs::perms::others_exec);
   }
 
-  fs::path home_ = make_home();
+  pathrace::testing::ScratchFolder scratch_;
+  fs::path home_ = fs::canonical(scratch_.path());
 };
 
 TEST_F(Launcher, BuildsOnTheFirstCallAndBecomesTheBinary) {
-  const Outcome outcome = launch("plan 'two words'", "EXIT=7");
-  EXPECT_EQ(outcome.code, 7);
+  const Finished outcome = launch("plan 'two words'", "EXIT=7");
+  EXPECT_EQ(outcome.exit_code, 7);
   EXPECT_EQ(outcome.out, "in " + home().string() + " with <>: [plan] [two words]\n");
   EXPECT_EQ(count_calls("cmake --preset release"), 1U);
   EXPECT_EQ(count_calls("--target pathrace\n"), 1U);
@@ -168,7 +156,7 @@ TEST_F(Launcher, BuildsOnTheFirstCallAndBecomesTheBinary) {
 TEST_F(Launcher, SaysNothingAndCallsNoToolWhenTheBinaryIsCurrent) {
   launch();
   fs::remove(home() / "calls");
-  const Outcome outcome = launch("planners");
+  const Finished outcome = launch("planners");
   EXPECT_EQ(outcome.err, "");
   EXPECT_EQ(outcome.out, "in " + home().string() + " with <>: [planners]\n");
   EXPECT_EQ(calls(), "");
@@ -211,8 +199,8 @@ TEST_F(Launcher, ARelativeDataFolderCountsFromTheRootOfTheRepository) {
 
 TEST_F(Launcher, InstallsMissingPackagesAndShowsTheLineBeforeItRunsIt) {
   write(home() / "missing", "libtbb-dev\nlibfmt-dev\n");
-  const Outcome outcome = launch();
-  EXPECT_EQ(outcome.code, 0);
+  const Finished outcome = launch();
+  EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(count_calls("apt-get"), 1U);
   const std::string line = "install --yes --no-install-recommends libfmt-dev libtbb-dev\n";
   EXPECT_NE(calls().find(line), std::string::npos) << calls();
@@ -223,15 +211,15 @@ TEST_F(Launcher, InstallsMissingPackagesAndShowsTheLineBeforeItRunsIt) {
 TEST_F(Launcher, UpdatesThePackageListsWhenInstallingFails) {
   write(home() / "missing", "libtbb-dev\n");
   write(home() / "stale", "");
-  EXPECT_EQ(launch().code, 0);
+  EXPECT_EQ(launch().exit_code, 0);
   EXPECT_EQ(count_calls("apt-get"), 3U);
   EXPECT_EQ(count_calls(" update\n"), 1U);
 }
 
 TEST_F(Launcher, NamesThePackagesAndStopsWhereInstallingIsForbidden) {
   write(home() / "missing", "libtbb-dev\n");
-  const Outcome outcome = launch("", "PATHRACE_NO_INSTALL=1");
-  EXPECT_EQ(outcome.code, 3);
+  const Finished outcome = launch("", "PATHRACE_NO_INSTALL=1");
+  EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_EQ(outcome.out, "");
   EXPECT_NE(outcome.err.find("libtbb-dev"), std::string::npos) << outcome.err;
   EXPECT_EQ(calls(), "");
@@ -241,8 +229,8 @@ TEST_F(Launcher, NamesThePackagesAndStopsWithoutTheRightToInstallThem) {
   write(home() / "missing", "libtbb-dev\n");
   fs::permissions(home(), fs::perms::all);
   fs::permissions(root(), fs::perms::all);
-  const Outcome outcome = launch_without_rights();
-  EXPECT_EQ(outcome.code, 3);
+  const Finished outcome = launch_without_rights();
+  EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_NE(outcome.err.find("apt-get install --yes --no-install-recommends libtbb-dev\n"), std::string::npos)
       << outcome.err;
   EXPECT_EQ(calls(), "");
@@ -253,9 +241,9 @@ TEST_F(Launcher, SaysSoWhenTheCheckoutCannotBeWritten) {
   const auto read_only =
       fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read | fs::perms::others_exec;
   fs::permissions(root(), read_only);
-  const Outcome outcome = launch_without_rights();
+  const Finished outcome = launch_without_rights();
   fs::permissions(root(), fs::perms::owner_all);
-  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_EQ(outcome.err, "pathrace: cannot write to " + root().string() +
                              "/build, and there is no current binary; check permissions and space\n");
 }
@@ -268,11 +256,11 @@ TEST_F(Launcher, RunsACurrentBinaryFromACheckoutThatCannotBeWritten) {
   for (const fs::path& folder : {root(), root() / "build", root() / "build/release"}) {
     fs::permissions(folder, fs::perms::owner_write, fs::perm_options::remove);
   }
-  const Outcome outcome = launch_without_rights();
+  const Finished outcome = launch_without_rights();
   for (const fs::path& folder : {root(), root() / "build", root() / "build/release"}) {
     fs::permissions(folder, fs::perms::owner_write, fs::perm_options::add);
   }
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
 }
 
@@ -280,21 +268,21 @@ TEST_F(Launcher, ACompilersErrorIsShownOnceAndTheNextCallTriesAgain) {
   launch();
   write(root() / "core/a.cpp", "22");
   write(home() / "compiler_error", "");
-  const Outcome failed = launch();
-  EXPECT_EQ(failed.code, 3);
+  const Finished failed = launch();
+  EXPECT_EQ(failed.exit_code, 3);
   EXPECT_EQ(failed.out, "");
   EXPECT_NE(failed.err.find("a.cpp:1: error: no\n"), std::string::npos) << failed.err;
   EXPECT_EQ(count_calls("--fresh"), 0U);
-  EXPECT_EQ(launch().code, 3);
+  EXPECT_EQ(launch().exit_code, 3);
   fs::remove(home() / "compiler_error");
-  EXPECT_EQ(launch().code, 0);
+  EXPECT_EQ(launch().exit_code, 0);
 }
 
 TEST_F(Launcher, ConfiguresADamagedBuildFolderAfresh) {
   launch();
   fs::remove(root() / "build/release/pathrace");
   write(home() / "damaged", "");
-  EXPECT_EQ(launch().code, 0);
+  EXPECT_EQ(launch().exit_code, 0);
   EXPECT_EQ(count_calls("--fresh"), 1U);
 }
 
@@ -302,23 +290,23 @@ TEST_F(Launcher, ConfiguresAgainWhenTheCacheIsGoneOrBelongsToAnotherCheckout) {
   launch();
   fs::remove(root() / "build/release/pathrace");
   fs::remove(root() / "build/release/CMakeCache.txt");
-  EXPECT_EQ(launch().code, 0);
+  EXPECT_EQ(launch().exit_code, 0);
   EXPECT_EQ(count_calls("cmake --preset"), 2U);
   fs::remove(root() / "build/release/pathrace");
   write(root() / "build/release/CMakeCache.txt", "CMAKE_HOME_DIRECTORY:INTERNAL=/elsewhere\n");
-  EXPECT_EQ(launch().code, 0);
+  EXPECT_EQ(launch().exit_code, 0);
   EXPECT_EQ(count_calls("cmake --preset"), 3U);
 }
 
 TEST_F(Launcher, OfSeveralAtOnceOneBuildsAndTheOthersWait) {
-  std::array<Outcome, 4> outcomes;
+  std::array<Finished, 4> outcomes;
   std::vector<std::thread> threads;
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    threads.emplace_back([&, i] { outcomes[i] = shell("'check out/pathrace' x", "", static_cast<int>(i)); });
+    threads.emplace_back([&, i] { outcomes[i] = launch("x"); });
   }
   for (std::thread& thread : threads) thread.join();
-  for (const Outcome& outcome : outcomes) {
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
+  for (const Finished& outcome : outcomes) {
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.out, "in " + home().string() + " with <>: [x]\n");
   }
   EXPECT_EQ(count_calls("cmake --build"), 1U);
@@ -326,8 +314,8 @@ TEST_F(Launcher, OfSeveralAtOnceOneBuildsAndTheOthersWait) {
 
 TEST_F(Launcher, TestBuildsEverythingAndPassesArgumentsAndExitCodeOfCTestOn) {
   launch();
-  const Outcome outcome = launch("test -R 'Stream|Grid'", "EXIT=8");
-  EXPECT_EQ(outcome.code, 8);
+  const Finished outcome = launch("test -R 'Stream|Grid'", "EXIT=8");
+  EXPECT_EQ(outcome.exit_code, 8);
   EXPECT_EQ(outcome.out, "100% tests passed\n");
   EXPECT_EQ(count_calls("-DPATHRACE_TESTS=ON\n"), 1U);
   EXPECT_EQ(count_calls("--target all\n"), 1U);
@@ -336,9 +324,9 @@ TEST_F(Launcher, TestBuildsEverythingAndPassesArgumentsAndExitCodeOfCTestOn) {
 
 TEST_F(Launcher, TestNeedsThePackageOfTheTestsAndARunDoesNot) {
   write(home() / "missing", "libgtest-dev\n");
-  EXPECT_EQ(launch("", "PATHRACE_NO_INSTALL=1").code, 0);
-  const Outcome outcome = launch("test", "PATHRACE_NO_INSTALL=1");
-  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(launch("", "PATHRACE_NO_INSTALL=1").exit_code, 0);
+  const Finished outcome = launch("test", "PATHRACE_NO_INSTALL=1");
+  EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_NE(outcome.err.find("libgtest-dev"), std::string::npos) << outcome.err;
 }
 

@@ -105,7 +105,9 @@ inline std::vector<TrialRow> strange_rows() {
   rows.push_back(numbers);
 
   TrialRow texts = failed_row(0x8000000000000000U, "as:a=1,b=\"2\"", "curated/\xC3\xA9t\xC3\xA9, 'x'");
-  texts.note = std::string("line one\nline two\ttab, comma \"quote\" \0 nul", 44);
+  texts.note = "line one\nline two\ttab, comma \"quote\" ";
+  texts.note += '\0';
+  texts.note += " nul";
   texts.call = "";
   texts.track = Track::any_angle;
   texts.rule = MoveRule::squeeze;

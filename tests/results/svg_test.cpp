@@ -4,8 +4,9 @@
 
 #include <cstdlib>
 #include <limits>
-#include <regex>
 #include <sstream>
+#include <stdexcept>
+#include <string_view>
 #include <vector>
 
 #include "results/xml.hpp"
@@ -18,42 +19,88 @@ using pathrace::testing::grid_of;
 using pathrace::testing::random_grid;
 using pathrace::testing::terrain_of;
 
-/// What is wrong with a document that uses elements, quoted attributes and text only; empty when nothing is.
-std::string xml_fault(const std::string& xml) {
-  static const std::regex piece(
-      R"(^(<\?xml version="1\.0" encoding="UTF-8"\?>|<(/?)([a-z]+)((?: [a-zA-Z][-a-zA-Z]*="[^"<]*")*)(/?)>|[^<]+))",
-      std::regex::optimize);
-  static const std::regex bare_ampersand("&(?!(amp|lt|gt|quot|#39);)");
-  std::vector<std::string> open;
-  std::size_t roots = 0;
-  for (std::size_t at = 0; at < xml.size();) {
-    // Cut at the next '>' or '<' first: a regular expression over a whole map would recurse too deeply.
-    const std::size_t end = xml[at] == '<' ? xml.find('>', at) + 1 : std::min(xml.find('<', at), xml.size());
-    if (end == 0) return "a tag does not end";
-    const std::string part = xml.substr(at, end - at);
-    at = end;
-    if (part.find('&') != std::string::npos && std::regex_search(part, bare_ampersand))
-      return "bare & in " + part;
-    if (part[0] != '<') {
-      if (open.empty() && part.find_first_not_of('\n') != std::string::npos) return "text outside the root";
-      continue;
+/// A strict reader of the XML that we write: one declaration, elements, double-quoted attributes, text, and
+/// the five entities of XML itself. `fault` says what is wrong with a document; empty when nothing is.
+class XmlReader {
+ public:
+  static std::string fault(const std::string& xml) {
+    try {
+      XmlReader reader(xml);
+      reader.document();
+      return "";
+    } catch (const std::runtime_error& error) {
+      return error.what();
     }
-    std::smatch match;
-    const std::string shortened =
-        std::regex_replace(part, std::regex(R"((d|points)="[^"<]{40,}")"), "$1=\"\"");
-    if (!std::regex_match(shortened, match, piece)) return "not a tag: " + shortened;
-    const std::string name = match[3];
-    if (name.empty()) continue;  // the declaration
-    if (match[2].length() > 0) {
-      if (open.empty() || open.back() != name) return "unexpected end of " + name;
-      open.pop_back();
-      continue;
-    }
-    if (open.empty() && ++roots > 1) return "a second root " + name;
-    if (match[5].length() == 0) open.push_back(name);
   }
-  if (!open.empty()) return open.back() + " does not end";
-  return roots == 1 ? "" : "no root";
+
+ private:
+  explicit XmlReader(std::string_view rest) : rest_(rest) {}
+
+  void document() {
+    take("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    expect("<");
+    element();
+    if (rest_ != "" && rest_ != "\n") fail("more after the root");
+  }
+
+  // What follows the '<' of an opening tag, up to the end of its closing tag.
+  void element() {
+    const std::string_view name = word();
+    while (take(" ")) attribute();
+    if (take("/>")) return;
+    expect(">");
+    while (!take("</")) {
+      if (take("<")) {
+        element();
+      } else {
+        character('<');
+      }
+    }
+    if (word() != name) fail("a closing tag of another name");
+    expect(">");
+  }
+
+  void attribute() {
+    word();
+    expect("=\"");
+    while (!take("\"")) character('"');
+  }
+
+  void character(char end) {
+    if (rest_.empty()) fail("the document ends too early");
+    if (rest_[0] == '<' && end != '<') fail("a bare <");
+    if (rest_[0] != '&') return rest_.remove_prefix(1);
+    for (const char* entity : {"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"}) {
+      if (take(entity)) return;
+    }
+    fail("a bare &");
+  }
+
+  std::string_view word() {
+    const std::size_t size = std::min(rest_.find_first_of(" =/>\"<&\n"), rest_.size());
+    if (size == 0) fail("no name");
+    const std::string_view text = rest_.substr(0, size);
+    rest_.remove_prefix(size);
+    return text;
+  }
+
+  bool take(std::string_view text) {
+    if (rest_.substr(0, text.size()) != text) return false;
+    rest_.remove_prefix(text.size());
+    return true;
+  }
+  void expect(std::string_view text) {
+    if (!take(text)) fail("expected " + std::string(text));
+  }
+  [[noreturn]] void fail(const std::string& what) const {
+    throw std::runtime_error(what + " before: " + std::string(rest_.substr(0, 40)));
+  }
+
+  std::string_view rest_;
+};
+
+std::string xml_fault(const std::string& xml) {
+  return XmlReader::fault(xml);
 }
 
 Scenario scenario_on(const OccupancyGrid& grid, Cell start, Cell goal) {
@@ -83,8 +130,8 @@ double attribute(const std::string& text, const std::string& name) {
 
 TEST(XmlCheck, FindsWhatIsWrong) {
   EXPECT_EQ(xml_fault("<a x=\"1\"><b/>text &amp; more</a>\n"), "");
-  for (const char* broken : {"", "<a>", "<a></b>", "<a/><a/>", "<a x=1/>", "<a>&</a>", "<a>&nbsp;</a>",
-                             "x<a/>", "<a x=\"<\"/>", "<a"}) {
+  for (const char* broken : {"", "<a>", "<a></b>", "<a/><a/>", "<a x=1/>", "<a x=\"1/>", "<a>&</a>",
+                             "<a>&nbsp;</a>", "x<a/>", "<a x=\"<\"/>", "<a"}) {
     EXPECT_NE(xml_fault(broken), "") << broken;
   }
 }

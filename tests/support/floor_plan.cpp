@@ -32,7 +32,7 @@ const std::vector<Room>& plan() {
       {"results", {"core"}, {"fmt", "SQLite", "nlohmann-json", "Boost.Math", "libpng"}},
       {"bench",
        {"core", "scenarios", "algorithms", "baselines", "results"},
-       {"fmt", "TBB", "OpenMP", "MPI", "CLI11", "toml++", "spdlog"}},
+       {"fmt", "TBB", "OpenMP", "MPI", "CLI11", "toml++", "spdlog", "nlohmann-json"}},
       {"bench/micro",
        {"core", "scenarios", "algorithms", "baselines", "results", "bench"},
        {"fmt", "Google Benchmark"}},
