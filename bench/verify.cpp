@@ -121,7 +121,7 @@ class Verifier {
     std::sort(chosen.begin(), chosen.end());  // trials on one scenario side by side, as in a run
     const std::atomic<bool> never{false};
     run_trials(plan_, chosen, options, never,
-               [this](const Trial& trial, const Scenario& scenario, TrialRecord record) {
+               [this](const Trial& trial, const Scenario& scenario, const TrialRecord& record) {
                  TrialRow row = results::make_row(trial.key, scenario, plan_.entrants[trial.entrant],
                                                   trial.budget, record);
                  const bool equal = fingerprint(row) == stored_.at(trial.hash);

@@ -131,8 +131,12 @@ void prepare_to_append(const fs::path& file, SQLite::Database& database) {
   if (sqlite3_db_readonly(database.getHandle(), "main") != 0) {
     throw EnvironmentError(fmt::format("{}: cannot be written ({})", file.string(), reason(EACCES)));
   }
-  database.exec("PRAGMA journal_mode = WAL");
-  database.exec("PRAGMA synchronous = NORMAL");
+  try {
+    database.exec("PRAGMA journal_mode = WAL");
+    database.exec("PRAGMA synchronous = NORMAL");
+  } catch (const SQLite::Exception& error) {
+    throw_writing_error(file, error);
+  }
 }
 
 std::string meta_value(const SQLite::Database& database, const std::string& name) {

@@ -146,7 +146,7 @@ void race(const TrialPlan& plan, const std::vector<std::size_t>& missing, const 
   Recorder recorder(store, stop_requested,
                     [&progress](std::size_t done_count) { progress.update(done_count); });
   run_trials(plan, missing, options, stop_requested,
-             [&](const Trial& trial, const Scenario& scenario, TrialRecord record) {
+             [&](const Trial& trial, const Scenario& scenario, const TrialRecord& record) {
                recorder.add(results::make_row(trial.key, scenario, plan.entrants[trial.entrant], trial.budget,
                                               record));
              });

@@ -9,7 +9,9 @@
 #include <unistd.h>
 
 #include <array>
-#include <functional>
+#include <cstdio>
+#include <exception>
+#include <stdexcept>
 
 #include "results/store.hpp"
 #include "tests/results/rows.hpp"
@@ -17,6 +19,7 @@
 namespace pathrace::results {
 namespace {
 
+/// A pipe whose two ends belong to two processes: when one dies, the other does not wait for it.
 class Pipe {
  public:
   Pipe() {
@@ -25,43 +28,61 @@ class Pipe {
   Pipe(const Pipe&) = delete;
   Pipe& operator=(const Pipe&) = delete;
   ~Pipe() {
-    ::close(ends_[0]);
-    ::close(ends_[1]);
+    close_end(0);
+    close_end(1);
   }
 
-  void signal() const {
-    const char byte = 'x';
-    if (::write(ends_[1], &byte, 1) != 1) std::abort();
-  }
-  void wait() const {
+  void keep_reading_end() { close_end(1); }
+  void keep_writing_end() { close_end(0); }
+
+  bool signal() const { return ::write(ends_[1], "x", 1) == 1; }
+  bool wait() const {
     char byte = 0;
-    if (::read(ends_[0], &byte, 1) != 1) std::abort();
+    return ::read(ends_[0], &byte, 1) == 1;
   }
 
  private:
+  void close_end(std::size_t end) {
+    if (ends_[end] >= 0) ::close(ends_[end]);
+    ends_[end] = -1;
+  }
+
   std::array<int, 2> ends_{};
 };
+
+// Appends a row for each signal until nobody signals any more. Never returns into the test runner.
+[[noreturn]] void write_rows(const std::filesystem::path& file, const Pipe& done, const Pipe& next) {
+  try {
+    Store store = Store::create(file, some_identity());
+    for (std::uint64_t key = 1;; ++key) {
+      store.append({solved_row(key, "a", "trap-u/20/1")});
+      if (!done.signal() || !next.wait()) break;
+    }
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "the writing process: %s\n", error.what());
+  }
+  ::_exit(1);
+}
 
 TEST(StoreProcesses, ReadWhatAnotherHasWrittenAndOutliveItsDeath) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder / "results.db";
-  const Pipe done;
-  const Pipe next;
+  Pipe done;
+  Pipe next;
   const pid_t writer = ::fork();
   ASSERT_GE(writer, 0);
   if (writer == 0) {
-    Store store = Store::create(file, some_identity());
-    for (std::uint64_t key = 1;; ++key) {
-      store.append({solved_row(key, "a", "trap-u/20/1")});
-      done.signal();
-      next.wait();
-    }
+    done.keep_writing_end();
+    next.keep_reading_end();
+    write_rows(file, done, next);
   }
-  done.wait();
+  done.keep_reading_end();
+  next.keep_writing_end();
+  ASSERT_TRUE(done.wait());
   EXPECT_EQ(Store::open(file, Access::read).size(), 1U);
   EXPECT_THROW(Store::open(file, Access::append), InputError);
-  next.signal();
-  done.wait();
+  ASSERT_TRUE(next.signal());
+  ASSERT_TRUE(done.wait());
   EXPECT_EQ(all_rows(Store::open(file, Access::read)).size(), 2U);
   ASSERT_EQ(::kill(writer, SIGKILL), 0);
   int status = 0;

@@ -31,7 +31,7 @@ inline Scenario scenario_of(const Question& question, MoveRule rule = MoveRule::
 
 struct TrialSetting {
   std::string call;
-  Budget budget;
+  Budget budget = {};
   std::string backend = "serial";
   int threads = 1;
   std::uint64_t seed = 1;

@@ -1,0 +1,32 @@
+#include "results/utf8.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace pathrace::results {
+namespace {
+
+TEST(Utf8, KnowsHowManyBytesALetterHas) {
+  EXPECT_EQ(letter_size("a\xC3\xA9"), 1U);
+  EXPECT_EQ(letter_size("\xC3\xA9"), 2U);
+  EXPECT_EQ(letter_size("\xE2\x82\xAC"), 3U);
+  EXPECT_EQ(letter_size("\xF0\x9F\x90\x9C"), 4U);
+  EXPECT_EQ(letter_size(""), 0U);
+}
+
+TEST(Utf8, NeverLooksBeyondTheText) {
+  const std::string_view euro = "\xE2\x82\xAC";
+  EXPECT_EQ(letter_size(euro.substr(0, 1)), 0U);
+  EXPECT_EQ(letter_size(euro.substr(0, 2)), 0U);
+}
+
+TEST(Utf8, CountsLettersAndStrayBytes) {
+  EXPECT_EQ(letter_count(""), 0U);
+  EXPECT_EQ(letter_count("as"), 2U);
+  EXPECT_EQ(letter_count("\xC3\xA9t\xC3\xA9"), 3U);
+  EXPECT_EQ(letter_count("\xFF\xFE!"), 3U);
+}
+
+}  // namespace
+}  // namespace pathrace::results
