@@ -25,7 +25,9 @@ TEST_P(ExactSearch, FindsTheOraclesOptimumOnRandomMapsUnderEveryRule) {
       const TrialRecord record = run({GetParam()}, scenario_of(question, rule));
       const auto optimum = oracle_optimum(question.grid, rule, question.start, question.goal);
       ASSERT_EQ(record.verdict, optimum ? Verdict::solved : Verdict::no_path) << i << ' ' << name(rule);
-      if (optimum) ASSERT_EQ(record.metrics->lattice, optimum) << i << ' ' << name(rule);
+      if (optimum) {
+        ASSERT_EQ(record.metrics->lattice, optimum) << i << ' ' << name(rule);
+      }
     }
   }
 }

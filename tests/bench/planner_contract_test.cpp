@@ -85,8 +85,12 @@ TEST_P(PlannerContract, ABudgetIsNeverExceededWhateverItLimits) {
       const TrialRecord record = trial(scenario, budget);
       EXPECT_NE(record.verdict, Verdict::invalid) << to_string(budget) << ": " << record.note;
       EXPECT_LE(record.work.evaluations, *budget.evaluations) << to_string(budget);
-      if (budget.iterations) EXPECT_LE(record.work.iterations, limit) << to_string(budget);
-      if (budget.checks) EXPECT_LE(record.work.checks, limit) << to_string(budget);
+      if (budget.iterations) {
+        EXPECT_LE(record.work.iterations, limit) << to_string(budget);
+      }
+      if (budget.checks) {
+        EXPECT_LE(record.work.checks, limit) << to_string(budget);
+      }
     }
   }
 }
