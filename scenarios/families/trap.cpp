@@ -36,7 +36,7 @@ int share_of(int n, double share) {
   return static_cast<int>(std::floor(n * share + 0.5));
 }
 
-Family trap_family(std::string name, std::string summary, std::function<Sketch(int, Stream&)> draw) {
+Family trap_family(const std::string& name, std::string summary, std::function<Sketch(int, Stream&)> draw) {
   const std::string form = name + "/<n>/<seed>";
   auto make = [form, draw = std::move(draw)](const std::string& id,
                                              const std::vector<std::string_view>& parts) {

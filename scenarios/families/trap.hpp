@@ -17,6 +17,6 @@ Sketch turned(const Sketch& sketch, Stream& stream);
 int share_of(int n, double share);
 
 /// The card of a family `name/<n>/<seed>` in sizes 10 and 20: `draw(n, stream)` is its sketch before turning.
-Family trap_family(std::string name, std::string summary, std::function<Sketch(int, Stream&)> draw);
+Family trap_family(const std::string& name, std::string summary, std::function<Sketch(int, Stream&)> draw);
 
 }  // namespace pathrace::scenarios
