@@ -75,10 +75,10 @@ class Planning {
       index = known->second;
     } else {
       try {
-        plan_.scenarios.emplace_back(library_.load(id));
+        plan_.scenarios.push_back(library_.load(id));
       } catch (const InvalidScenario& fault) {
         if (!id.starts_with("movingai/")) throw;
-        plan_.left_out.push_back(fault.what());  // recorded data may be dirty; no planner answers for it
+        plan_.left_out.emplace_back(fault.what());  // recorded data may be dirty; no planner answers for it
         return;
       }
       index = plan_.scenarios.size() - 1;

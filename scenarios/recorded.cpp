@@ -87,7 +87,7 @@ std::vector<std::string> RecordedQueries::spread(std::size_t per_scen, int longe
         scenario_of(id, *opened.map, *opened.scen, opened.scen->queries[index]);
         ids.push_back(id);
       } catch (const InvalidScenario& fault) {
-        left_out->push_back(fault.what());
+        left_out->emplace_back(fault.what());
       }
     }
   }
