@@ -22,7 +22,7 @@ repetitions = 2
 
 [budget]
 evaluations = 5000
-checks = 2000000
+checks = 1000000
 
 [[planner]]
 name = "as"
