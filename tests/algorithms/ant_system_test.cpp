@@ -67,12 +67,12 @@ TEST(AntSystem, TheBestPathOfTheTraceIsTheAnswer) {
 }
 
 TEST(AntSystem, MoreThreadsReallyRun) {
-  if (thread_sanitizer) GTEST_SKIP() << "the tbb and openmp executors are not instrumented";
   const Scenario scenario = scenarios::Library().load("dense/60-10/1");
-  for (const char* backend : {"openmp", "tbb", "threads"}) {
+  for (const std::string& backend : executors_under_test()) {
+    if (backend == "serial") continue;
     const TrialRecord record =
-        run({"as:dead_end=backtrack,ants=200", budget_of(40000), backend, 2}, scenario);
-    EXPECT_EQ(record.costs.threads_used, 2) << backend;
+        run({"as:dead_end=backtrack,ants=200", budget_of(10000), backend, 2}, scenario);
+    EXPECT_GE(record.costs.threads_used, 2) << backend;  // TBB may exchange a worker for another
   }
 }
 
