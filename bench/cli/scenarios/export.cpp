@@ -1,0 +1,65 @@
+// `scenarios export`: a scenario as a file for other tools.
+#include <fmt/format.h>
+
+#include <iostream>
+#include <memory>
+#include <sstream>
+
+#include "bench/cli/scenarios/verb.hpp"
+#include "bench/run_folder.hpp"
+#include "core/error.hpp"
+#include "results/svg.hpp"
+#include "scenarios/movingai/writer.hpp"
+
+namespace pathrace::bench::cli {
+namespace {
+
+struct ExportOptions {
+  std::string id;
+  std::string maps;
+  std::string format;
+  std::string out;
+};
+
+std::string file_name_of(const std::string& id) {
+  std::string file = id;
+  for (char& c : file) {
+    if (c == '/') c = '-';
+  }
+  return file + ".map";
+}
+
+int export_scenario(const ExportOptions& options) {
+  const Scenario scenario = proven_scenario(options.id, options.maps);
+  std::ostringstream text;
+  if (options.format == "map") {
+    scenarios::write_map(text, scenario.grid());
+  } else if (options.format == "scen") {
+    scenarios::write_scen(text, file_name_of(scenario.id), scenario);
+  } else if (options.format == "svg") {
+    results::write_svg(text, scenario, std::nullopt, scenario.id);
+  } else {
+    throw InputError(
+        fmt::format("--format: {}", unknown_name("format", options.format, {"map", "scen", "svg"})));
+  }
+  if (options.out.empty()) {
+    std::cout << text.str();
+  } else {
+    write_file(options.out, text.str());
+  }
+  return done;
+}
+
+}  // namespace
+
+void add_scenarios_export(CLI::App& parent) {
+  auto options = std::make_shared<ExportOptions>();
+  CLI::App* verb =
+      add_verb(parent, "export", "write a scenario as a file", "dense/20-20/7 --format map -o dense.map",
+               [options] { return export_scenario(*options); });
+  verb->add_option("--format", options->format, "map, scen or svg")->required()->type_name("FORMAT");
+  verb->add_option("-o,--out", options->out, "the file (default: standard output)")->type_name("FILE");
+  add_scenario_options(*verb, options->id, options->maps);
+}
+
+}  // namespace pathrace::bench::cli

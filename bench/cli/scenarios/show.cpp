@@ -1,0 +1,38 @@
+// `scenarios show`: one scenario, drawn on the terminal.
+#include <fmt/format.h>
+
+#include <iostream>
+#include <memory>
+
+#include "bench/cli/scenarios/verb.hpp"
+#include "scenarios/ascii.hpp"
+
+namespace pathrace::bench::cli {
+namespace {
+
+struct ShowOptions {
+  std::string id;
+  std::string maps;
+};
+
+int show_scenario(const ShowOptions& options) {
+  const Scenario scenario = proven_scenario(options.id, options.maps);
+  fmt::print("{}: {}x{} cells, {} free, rule {}, start {},{}, goal {},{}, optimum {}\n", scenario.id,
+             scenario.grid().width(), scenario.grid().height(), scenario.grid().free_cells(),
+             name(scenario.terrain.rule), scenario.start.x, scenario.start.y, scenario.goal.x,
+             scenario.goal.y, print_optimum(scenario));
+  std::fflush(stdout);
+  scenarios::print_ascii(std::cout, scenario);
+  return done;
+}
+
+}  // namespace
+
+void add_scenarios_show(CLI::App& parent) {
+  auto options = std::make_shared<ShowOptions>();
+  CLI::App* verb = add_verb(parent, "show", "draw a scenario on the terminal", "trap-u/20/3",
+                            [options] { return show_scenario(*options); });
+  add_scenario_options(*verb, options->id, options->maps);
+}
+
+}  // namespace pathrace::bench::cli
