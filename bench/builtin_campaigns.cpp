@@ -39,8 +39,7 @@ name = "astar"
 name = "dijkstra"
 
 [[scenarios]]
-select = ["dense/10-20/1..10", "dense/10-30/1..10", "dense/20-20/1..20", "dense/20-30/1..20",
-          "trap-*/10/1..5", "trap-*/20/1..10", "asr/*"]
+select = ["set/starter"]
 )"},
     {"smoke", R"(
 [campaign]

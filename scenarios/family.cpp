@@ -27,15 +27,17 @@ const std::vector<Family>& families() {
   return all;
 }
 
-Scenario certified(const std::string& id, const std::function<Sketch(Stream)>& draw, int attempts) {
+Scenario certified(const std::string& id, const std::function<std::optional<Sketch>(Stream)>& draw,
+                   int attempts) {
   const Stream stream = Stream(0).fork("scenario").fork(id);
   for (int attempt = 0; attempt < attempts; ++attempt) {
-    Sketch sketch = draw(stream.fork(static_cast<std::uint64_t>(attempt)));
+    std::optional<Sketch> sketch = draw(stream.fork(static_cast<std::uint64_t>(attempt)));
+    if (!sketch || sketch->start == sketch->goal) continue;
     Scenario scenario;
     scenario.id = id;
-    scenario.terrain = {std::make_shared<const OccupancyGrid>(std::move(sketch.grid)), MoveRule::strict};
-    scenario.start = sketch.start;
-    scenario.goal = sketch.goal;
+    scenario.terrain = {std::make_shared<const OccupancyGrid>(std::move(sketch->grid)), MoveRule::strict};
+    scenario.start = sketch->start;
+    scenario.goal = sketch->goal;
     require_valid(scenario);
     scenario.optimum = reference::optimum(scenario.terrain, scenario.start, scenario.goal);
     if (scenario.optimum.length) return scenario;

@@ -10,6 +10,7 @@
 #include "core/reference/exact_search.hpp"
 #include "scenarios/family.hpp"
 #include "scenarios/recorded.hpp"
+#include "scenarios/sets.hpp"
 
 namespace pathrace::scenarios {
 namespace {
@@ -100,6 +101,9 @@ Scenario Library::load(const std::string& id) const {
 }
 
 std::vector<std::string> Library::select(const std::string& pattern) const {
+  if (pattern.starts_with(set_prefix)) {
+    return ids_of(find_set(std::string_view(pattern).substr(set_prefix.size())), *this);
+  }
   std::vector<std::string> ids;
   for (const std::string& item : expand_range(pattern)) {
     if (item.find_first_of("*?[") == std::string::npos) {

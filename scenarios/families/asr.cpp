@@ -48,6 +48,7 @@ Family asr_family() {
           "asr/fig2|fig5|fig6",
           "the 5 x 5 maps of the AS-R robot",
           {"asr/fig2", "asr/fig5", "asr/fig6"},
+          {},
           make};
 }
 

@@ -7,11 +7,11 @@
 namespace pathrace::scenarios {
 namespace {
 
-Sketch draw(int n, Stream& stream) {
+Sketch draw(const TrapSettings& settings, int n, Stream& stream) {
   Sketch sketch{OccupancyGrid(n, n), {0, 0}, {n - 1, n - 1}};
   const Cell corner{stream.between(share_of(n, 0.55), n - 2), stream.between(share_of(n, 0.55), n - 2)};
-  const int left_arm = stream.between(share_of(n, 0.3), corner.x - 1);
-  const int upper_arm = stream.between(share_of(n, 0.3), corner.y - 1);
+  const int left_arm = length_of(settings.depth, n, 30, 100, 1, corner.x - 1, stream);
+  const int upper_arm = length_of(settings.depth, n, 30, 100, 1, corner.y - 1, stream);
   wall(sketch.grid, corner, {corner.x - left_arm, corner.y});
   wall(sketch.grid, corner, {corner.x, corner.y - upper_arm});
   return sketch;
@@ -20,7 +20,8 @@ Sketch draw(int n, Stream& stream) {
 }  // namespace
 
 Family trap_l_family() {
-  return trap_family("trap-l", "an L-shaped wall, its inside towards the start", draw);
+  return trap_family("trap-l", "an L-shaped wall, its inside towards the start", TrapAxis::diagonal,
+                     {trap_depth(90, "length of both arms")}, draw);
 }
 
 }  // namespace pathrace::scenarios

@@ -18,9 +18,12 @@ struct Pocket {
   bool opens_left;  // else it opens upwards
 };
 
-Pocket draw_pocket(int n, Stream& stream) {
-  const int lane = stream.between(1, 2);
-  const int depth = stream.between(1, std::clamp(n / 6, 1, longest_pocket));
+Pocket draw_pocket(const TrapSettings& settings, int n, Stream& stream) {
+  const int lane =
+      settings.mouth > 0 ? length_of(settings.mouth, n, 0, 0, 1, n - 3, stream) : stream.between(1, 2);
+  const int usual = std::clamp(n / 6, 1, longest_pocket);
+  const int depth =
+      settings.depth > 0 ? length_of(settings.depth, n, 0, 0, 1, n - 2, stream) : stream.between(1, usual);
   const bool opens_left = stream.below(2) == 1;
   const int across = lane + 2;
   const int along = depth + 1;
@@ -58,11 +61,11 @@ void build(OccupancyGrid& grid, const Pocket& pocket) {
   }
 }
 
-Sketch draw(int n, Stream& stream) {
+Sketch draw(const TrapSettings& settings, int n, Stream& stream) {
   Sketch sketch{OccupancyGrid(n, n), {0, 0}, {n - 1, n - 1}};
   const int tries = std::max(8, n * n / 8);
   for (int i = 0; i < tries; ++i) {
-    const Pocket pocket = draw_pocket(n, stream);
+    const Pocket pocket = draw_pocket(settings, n, stream);
     if (fits(sketch, pocket)) build(sketch.grid, pocket);
   }
   return sketch;
@@ -71,7 +74,8 @@ Sketch draw(int n, Stream& stream) {
 }  // namespace
 
 Family trap_pocket_family() {
-  return trap_family("trap-pocket", "many small dead ends, open towards the start", draw);
+  return trap_family("trap-pocket", "many small dead ends, open towards the start", TrapAxis::diagonal,
+                     {trap_depth(40, "length of the pockets"), trap_mouth(20, "width of their lanes")}, draw);
 }
 
 }  // namespace pathrace::scenarios

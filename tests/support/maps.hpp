@@ -42,9 +42,9 @@ Cell transposed(Cell cell);                           ///< rows and columns swap
 Question mirrored(const Question& question);
 Question transposed(const Question& question);
 
-/// A map with the optimum that its source states for each rule.
+/// A map of the library with the optimum that its source states for each rule.
 struct ReferenceMap {
-  std::string name;
+  std::string name;  ///< its id
   Cell start;
   Cell goal;
   LatticeLength free;

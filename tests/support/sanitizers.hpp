@@ -16,4 +16,17 @@ inline constexpr bool thread_sanitizer = false;
 inline constexpr bool thread_sanitizer = false;
 #endif
 
+// Instrumented code is slow: long tests take fewer cases.
+#if defined(__SANITIZE_ADDRESS__)
+inline constexpr bool instrumented = true;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+inline constexpr bool instrumented = true;
+#else
+inline constexpr bool instrumented = thread_sanitizer;
+#endif
+#else
+inline constexpr bool instrumented = thread_sanitizer;
+#endif
+
 }  // namespace pathrace::testing

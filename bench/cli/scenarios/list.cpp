@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/hash.hpp"
 #include "scenarios/library.hpp"
+#include "scenarios/sets.hpp"
 
 namespace pathrace::bench::cli {
 namespace {
@@ -16,6 +17,7 @@ using Json = nlohmann::ordered_json;
 
 struct ListOptions {
   std::string family;
+  std::string set;
   bool json = false;
 };
 
@@ -40,11 +42,14 @@ Json object_of(const Scenario& scenario) {
 
 std::vector<std::string> chosen_ids(const scenarios::Library& library, const ListOptions& options) {
   std::vector<std::string> ids;
-  for (const std::string& id : library.list()) {
+  const std::vector<std::string> listed =
+      options.set.empty() ? library.list() : scenarios::ids_of(scenarios::find_set(options.set), library);
+  for (const std::string& id : listed) {
     if (below(id, options.family)) ids.push_back(id);
   }
   if (ids.empty()) {
-    throw InputError(fmt::format("--family: nothing in the library begins with '{}'", options.family));
+    throw InputError(fmt::format("--family: nothing in the {} begins with '{}'",
+                                 options.set.empty() ? "library" : "set", options.family));
   }
   return ids;
 }
@@ -77,6 +82,7 @@ void add_scenarios_list(CLI::App& parent) {
   CLI::App* verb = add_verb(parent, "list", "the library's list, with proven optima and hashes",
                             "--family trap-l/20", [options] { return list_scenarios(*options); });
   verb->add_option("--family", options->family, "only ids below this prefix")->type_name("PREFIX");
+  verb->add_option("--set", options->set, "the scenarios of this set (see scenarios sets)")->type_name("SET");
   verb->add_flag("--json", options->json, "print a JSON array");
 }
 
