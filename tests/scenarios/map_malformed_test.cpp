@@ -131,7 +131,7 @@ std::vector<Malformed> malformed_yaml() {
       {"b.yaml", "- image\n- resolution\n", {":1: a list of 2", "expected a map"}},
       {"c.yaml", "just words", {":1: 'just words'"}},
       {"d.yaml", image + "origin: [0, 0\n", {":3: no yaml, in column 1"}},
-      {"e.yaml", "image: \"x.pgm\n", {"no yaml"}},
+      {"e.yaml", "resolution: 1\nimage: x: y\n", {":2: no yaml, in column 9"}},
       {"f.yaml", place, {":1: no 'image'"}},
       {"g.yaml", "# a map\nimage: gone.pgm\n" + place, {":2: image '", "gone.pgm'", "no such file"}},
       {"h.yaml", "image: [x]\n" + place, {":1: image a list of 1", "the path of a picture"}},
