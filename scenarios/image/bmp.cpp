@@ -140,13 +140,34 @@ std::uint32_t palette_index(const Bytes& bytes, const Header& header, std::size_
   return bytes.byte(row + x / per_byte) >> shift & ((1U << header.bits) - 1);
 }
 
+void add_colours(const Bytes& bytes, const Header& header, std::size_t row, GreyImage& image) {
+  for (std::size_t x = 0; x < static_cast<std::size_t>(image.width); ++x) {
+    const std::size_t at = row + x * header.bits / 8;
+    image.samples.push_back(colour_sum(bytes, header, at));
+    if (!header.alpha_byte) continue;
+    image.alpha.push_back(static_cast<std::uint16_t>(bytes.byte(at + *header.alpha_byte)));
+  }
+}
+
+void add_looked_up(const Bytes& bytes, const Header& header, const std::vector<std::uint32_t>& palette,
+                   std::size_t row, GreyImage& image, const std::string& name) {
+  for (std::size_t x = 0; x < static_cast<std::size_t>(image.width); ++x) {
+    const std::uint32_t colour = palette_index(bytes, header, row, x);
+    if (colour >= palette.size()) {
+      fail_in(name, fmt::format("colour {} in the row at byte {}; expected one of the palette's {}", colour,
+                                row, palette.size()));
+    }
+    image.samples.push_back(palette[colour]);
+  }
+}
+
 }  // namespace
 
-GreyImage parse_bmp(std::string_view text, const std::string& name) {
-  const Bytes bytes(text, name);
-  const Header header = read_header(bytes, name);
-  bytes.require(header.pixels_at + header.stride() * static_cast<std::size_t>(header.height));
-  const std::vector<std::uint32_t> palette = read_palette(bytes, header);
+GreyImage parse_bmp(std::string_view bytes, const std::string& name) {
+  const Bytes file(bytes, name);
+  const Header header = read_header(file, name);
+  file.require(header.pixels_at + header.stride() * static_cast<std::size_t>(header.height));
+  const std::vector<std::uint32_t> palette = read_palette(file, header);
   GreyImage image;
   image.width = header.width;
   image.height = header.height;
@@ -156,21 +177,10 @@ GreyImage parse_bmp(std::string_view text, const std::string& name) {
   for (int y = 0; y < image.height; ++y) {
     const auto line = static_cast<std::size_t>(header.top_down ? y : image.height - 1 - y);
     const std::size_t row = header.pixels_at + header.stride() * line;
-    for (std::size_t x = 0; x < static_cast<std::size_t>(image.width); ++x) {
-      if (header.bits > 8) {
-        const std::size_t at = row + x * header.bits / 8;
-        image.samples.push_back(colour_sum(bytes, header, at));
-        if (header.alpha_byte) {
-          image.alpha.push_back(static_cast<std::uint16_t>(bytes.byte(at + *header.alpha_byte)));
-        }
-        continue;
-      }
-      const std::uint32_t colour = palette_index(bytes, header, row, x);
-      if (colour >= palette.size()) {
-        fail_in(name, fmt::format("colour {} at column {}, row {}; expected one of the palette's {}", colour,
-                                  x, y, palette.size()));
-      }
-      image.samples.push_back(palette[colour]);
+    if (header.bits > 8) {
+      add_colours(file, header, row, image);
+    } else {
+      add_looked_up(file, header, palette, row, image, name);
     }
   }
   return image;

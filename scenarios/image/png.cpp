@@ -49,13 +49,13 @@ void take_bytes(png_structp png, png_bytep to, std::size_t count) {
 
 class Reader {
  public:
-  explicit Reader(std::string_view bytes) : source_{bytes.data(), bytes.size(), {}} {
-    png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source_, keep_complaint, ignore_warning);
-    info_ = png_ == nullptr ? nullptr : png_create_info_struct(png_);
-    if (info_ == nullptr) {
-      png_destroy_read_struct(&png_, nullptr, nullptr);
-      throw EnvironmentError("libpng cannot be started");
-    }
+  explicit Reader(std::string_view bytes)
+      : source_{bytes.data(), bytes.size(), {}},
+        png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, &source_, keep_complaint, ignore_warning)),
+        info_(png_ == nullptr ? nullptr : png_create_info_struct(png_)) {
+    if (info_ != nullptr) return;
+    png_destroy_read_struct(&png_, nullptr, nullptr);
+    throw EnvironmentError("libpng cannot be started");
   }
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
@@ -91,8 +91,8 @@ class Reader {
 
  private:
   Source source_;
-  png_structp png_ = nullptr;
-  png_infop info_ = nullptr;
+  png_structp png_;
+  png_infop info_;
 };
 
 std::size_t row_bytes(const Header& header) {

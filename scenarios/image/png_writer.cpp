@@ -27,13 +27,12 @@ void nothing_to_flush(png_structp /*png*/) {}
 
 class Writer {
  public:
-  Writer() {
-    png_ = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, jump, ignore_warning);
-    info_ = png_ == nullptr ? nullptr : png_create_info_struct(png_);
-    if (info_ == nullptr) {
-      png_destroy_write_struct(&png_, nullptr);
-      throw EnvironmentError(cannot);
-    }
+  Writer()
+      : png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, jump, ignore_warning)),
+        info_(png_ == nullptr ? nullptr : png_create_info_struct(png_)) {
+    if (info_ != nullptr) return;
+    png_destroy_write_struct(&png_, nullptr);
+    throw EnvironmentError(cannot);
   }
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
@@ -52,8 +51,8 @@ class Writer {
   }
 
  private:
-  png_structp png_ = nullptr;
-  png_infop info_ = nullptr;
+  png_structp png_;
+  png_infop info_;
 };
 
 // Eight cells a byte, the leftmost in the highest bit.

@@ -88,6 +88,18 @@ TEST(Png, ColoursAreSummedAtTheirDepth) {
                {1 + 2 + 256, 3 * 65535});
 }
 
+TEST(Png, InterlacedPicturesArePutTogether) {
+  // Adam7 on 2x2 pixels: 0,0 in pass one, 1,0 in pass six, the second row in pass seven.
+  expect_image(testing::png_of_raster({2, 2, 8, 0, {}, 1}, "\0\x0a\0\x0b\0\x0c\x0d"s), 2, 2, 255,
+               {10, 11, 12, 13});
+}
+
+TEST(Png, AFilteredRowIsRestored) {
+  // Filter 1: each byte is the difference from the one before; filter 2: from the one above.
+  expect_image(testing::png_of_raster({3, 2, 8, 0, {}}, "\x01\x05\x01\xff\x02\x01\x01\x01"s), 3, 2, 255,
+               {5, 6, 5, 6, 7, 6});
+}
+
 TEST(Png, GammaIsNotApplied) {
   expect_image(png({1, 1, 8, 0, png_chunk("gAMA", big_endian(100000, 4))}, "\x40", 1), 1, 1, 255, {64});
 }

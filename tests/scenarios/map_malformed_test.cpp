@@ -117,7 +117,7 @@ std::vector<Malformed> malformed_bmp() {
       {"h.bmp", old, {"header of 12 bytes", "40 or more"}},
       {"i.bmp",
        bmp({1, 1, 8, 0, "\x01\x02\x03\x00"s, 1}, "\x05\x00\x00\x00"s),
-       {"colour 5 at column 0, row 0", "the palette's 1"}},
+       {"colour 5 in the row at byte 58", "the palette's 1"}},
       {"j.bmp", bmp({1, 1, 8, 0, {}, 257}, pixel), {"palette of 257 colours"}},
       {"k.bmp", bmp({1, 1, 32, 3, std::string(12, '\0'), 0}, pixel), {"colour mask 0x00000000"}},
   };

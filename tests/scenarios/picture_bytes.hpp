@@ -54,18 +54,24 @@ struct PngForm {
   char depth = 8;
   char colour = 0;     ///< 0 grey, 2 RGB, 3 palette, 4 grey and alpha, 6 RGBA
   std::string before;  ///< chunks between the header and the pixels
+  char interlace = 0;  ///< 1: Adam7
 };
 
 inline const std::string png_magic = "\x89PNG\r\n\x1a\n";
+
+/// `raster`: the rows, each with its filter byte.
+inline std::string png_of_raster(const PngForm& form, const std::string& raster) {
+  const std::string header = big_endian(form.width, 4) + big_endian(form.height, 4) +
+                             std::string{form.depth, form.colour, '\0', '\0', form.interlace};
+  return png_magic + png_chunk("IHDR", header) + form.before + png_chunk("IDAT", stored(raster)) +
+         png_chunk("IEND", "");
+}
 
 /// `rows`: the pixels of all rows without filter bytes, `row_bytes` each.
 inline std::string png(const PngForm& form, const std::string& rows, std::size_t row_bytes) {
   std::string raster;
   for (std::size_t at = 0; at < rows.size(); at += row_bytes) raster += '\0' + rows.substr(at, row_bytes);
-  const std::string header = big_endian(form.width, 4) + big_endian(form.height, 4) +
-                             std::string{form.depth, form.colour, '\0', '\0', '\0'};
-  return png_magic + png_chunk("IHDR", header) + form.before + png_chunk("IDAT", stored(raster)) +
-         png_chunk("IEND", "");
+  return png_of_raster(form, raster);
 }
 
 struct BmpForm {
