@@ -30,10 +30,10 @@ struct MapYaml {
 };
 
 /// False for the yaml of something else: a sound one without `image`, or one larger than a map's.
-bool may_be_ros_map(const std::filesystem::path& yaml);
+bool may_be_ros_map(const std::filesystem::path& file);
 
 /// The yaml and its picture. Throws as MapYaml::read and read_image do; a picture that is not there is named
 /// with the yaml's line.
-OccupancyMap read_ros_map(const std::filesystem::path& yaml);
+OccupancyMap read_ros_map(const std::filesystem::path& file);
 
 }  // namespace pathrace::scenarios

@@ -43,7 +43,7 @@ std::vector<RosMapEntry> named(const std::vector<fs::path>& files) {
   for (const fs::path& file : files) {
     const std::string stem = file.stem().string();
     const std::string above = file.parent_path().filename().string();
-    entries.push_back({uses[stem] == 1 ? stem : above + "-" + stem, file});
+    entries.push_back({uses[stem] == 1 ? stem : fmt::format("{}-{}", above, stem), file});
   }
   std::stable_sort(entries.begin(), entries.end(),
                    [](const RosMapEntry& a, const RosMapEntry& b) { return a.name < b.name; });
