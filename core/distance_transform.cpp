@@ -6,12 +6,18 @@
 namespace pathrace {
 namespace {
 
+constexpr std::int64_t far_column = std::int64_t{1} << 20;  // its square is `far`
+
 // Distance along the column to the nearest blocked cell, for every cell of the padded width.
-std::vector<std::int64_t> column_distances(const OccupancyGrid& grid) {
+std::vector<std::int64_t> column_distances(const OccupancyGrid& grid, Border border) {
   const std::size_t stride = grid.stride();
-  std::vector<std::int64_t> distance(grid.padded_size(), 0);
-  for (std::size_t i = stride; i < distance.size(); ++i) {
-    distance[i] = grid.blocked_at(i) ? 0 : distance[i - stride] + 1;
+  const std::int64_t outside = border == Border::blocked ? 0 : far_column;
+  std::vector<std::int64_t> distance(grid.padded_size(), outside);
+  for (int y = 0; y < grid.height(); ++y) {
+    const std::size_t first = grid.index({0, y});
+    for (std::size_t i = first; i < first + stride - 2; ++i) {
+      distance[i] = grid.blocked_at(i) ? 0 : distance[i - stride] + 1;
+    }
   }
   for (std::size_t i = distance.size() - stride; i-- > 0;) {
     distance[i] = std::min(distance[i], distance[i + stride] + 1);
@@ -66,10 +72,10 @@ class RowEnvelope {
 
 }  // namespace
 
-DistanceTransform::DistanceTransform(const OccupancyGrid& grid)
+DistanceTransform::DistanceTransform(const OccupancyGrid& grid, Border border)
     : width_(static_cast<std::size_t>(grid.width())),
       squared_(width_ * static_cast<std::size_t>(grid.height())) {
-  const std::vector<std::int64_t> column = column_distances(grid);
+  const std::vector<std::int64_t> column = column_distances(grid, border);
   const std::size_t stride = grid.stride();
   std::vector<std::int64_t> row(stride);
   RowEnvelope envelope(stride);

@@ -13,12 +13,18 @@
 
 namespace pathrace {
 
+/// Whether the cells outside the map count as blocked.
+enum class Border { blocked, open };
+
 class DistanceTransform {
  public:
-  explicit DistanceTransform(const OccupancyGrid& grid);
+  explicit DistanceTransform(const OccupancyGrid& grid, Border border = Border::blocked);
 
-  /// Squared distance, in cells, from a cell's centre to the nearest blocked cell's centre; every cell
-  /// outside the map counts as blocked. 0 for a blocked cell.
+  /// More than any squared distance on a map; what every cell has on a map of free cells with an open border.
+  static constexpr std::int64_t far = std::int64_t{1} << 40;
+
+  /// Squared distance, in cells, from a cell's centre to the nearest blocked cell's centre; `far` or more
+  /// when there is none. 0 for a blocked cell.
   std::int64_t squared(Cell cell) const {
     return squared_[static_cast<std::size_t>(cell.y) * width_ + static_cast<std::size_t>(cell.x)];
   }

@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "core/error.hpp"
+#include "scenarios/text.hpp"
 
 namespace pathrace::scenarios::detail {
 namespace {
@@ -12,16 +11,6 @@ namespace {
 std::string form_of(const GeneratedCard& card) {
   const std::string main = card.main.empty() ? "" : "-<" + card.main + ">";
   return fmt::format("{}/<n>{}[,key=value...]/<seed>", card.name, main);
-}
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> pieces;
-  while (true) {
-    const std::size_t end = text.find(separator);
-    pieces.push_back(text.substr(0, end));
-    if (end == std::string_view::npos) return pieces;
-    text.remove_prefix(end + 1);
-  }
 }
 
 [[noreturn]] void refuse(const std::string& id, const std::string& what) {
@@ -55,7 +44,7 @@ SizePart read_parts(const std::string& id, const GeneratedCard& card,
                     const std::vector<std::string_view>& parts) {
   require_parts(id, form_of(card), parts, 2);
   id_number(id, "seed", parts[1], 0, most_seed);
-  const std::vector<std::string_view> pieces = split(parts[0], ',');
+  const std::vector<std::string_view> pieces = split_at(parts[0], ',');
   SizePart size;
   read_size(id, card, pieces[0], size);
   for (std::size_t i = 1; i < pieces.size(); ++i) {

@@ -10,25 +10,18 @@
 #include "core/reference/exact_search.hpp"
 #include "scenarios/family.hpp"
 #include "scenarios/recorded.hpp"
+#include "scenarios/ros/ros_queries.hpp"
 #include "scenarios/sets.hpp"
+#include "scenarios/text.hpp"
 
 namespace pathrace::scenarios {
 namespace {
 
 constexpr std::string_view recorded_family = "movingai";
-
-std::vector<std::string_view> split(std::string_view id) {
-  std::vector<std::string_view> parts;
-  while (true) {
-    const std::size_t slash = id.find('/');
-    parts.push_back(id.substr(0, slash));
-    if (slash == std::string_view::npos) return parts;
-    id = id.substr(slash + 1);
-  }
-}
+constexpr std::string_view ros_family = "ros";
 
 std::string unknown_family(std::string_view name, std::string_view id) {
-  std::vector<std::string> known{std::string(recorded_family)};
+  std::vector<std::string> known{std::string(recorded_family), std::string(ros_family)};
   for (const Family& family : families()) known.push_back(family.name);
   return fmt::format("scenario '{}': {}", id, unknown_name("family", name, known));
 }
@@ -69,7 +62,9 @@ class Library::Recorded : public RecordedQueries {
 };
 
 Library::Library(std::optional<std::filesystem::path> maps) : maps_(std::move(maps)) {
-  if (maps_) recorded_ = std::make_unique<Recorded>(*maps_);
+  if (!maps_) return;
+  ros_ = std::make_unique<RosQueries>(*maps_);
+  if (!holds_only_ros_maps(*maps_)) recorded_ = std::make_unique<Recorded>(*maps_);
 }
 
 Library::~Library() = default;
@@ -82,6 +77,19 @@ Library::Recorded& Library::recorded(const std::string& id) const {
   return *recorded_;
 }
 
+RosQueries& Library::ros(const std::string& id) const {
+  if (!ros_) {
+    throw InputError(fmt::format("scenario '{}' needs a folder of ROS maps: name one with --maps", id));
+  }
+  return *ros_;
+}
+
+std::vector<std::string> Library::listed_for(const std::string& pattern) const {
+  const std::string_view family = split_at(pattern, '/')[0];
+  if (family == ros_family) return ros(pattern).list();
+  return pattern.starts_with(recorded_family) ? recorded(pattern).list() : list();
+}
+
 std::vector<std::string> Library::list() const {
   std::vector<std::string> ids;
   for (const Family& family : families()) ids.insert(ids.end(), family.library.begin(), family.library.end());
@@ -89,10 +97,14 @@ std::vector<std::string> Library::list() const {
 }
 
 Scenario Library::load(const std::string& id) const {
-  const std::vector<std::string_view> parts = split(id);
+  const std::vector<std::string_view> parts = split_at(id, '/');
   if (parts[0] == recorded_family) {
     require_parts(id, "movingai/<scen>/<k>", {parts.begin() + 1, parts.end()}, 2);
     return recorded(id).load(id, std::string(parts[1]), std::string(parts[2]));
+  }
+  if (parts[0] == ros_family) {
+    require_parts(id, "ros/<map>/<k>", {parts.begin() + 1, parts.end()}, 2);
+    return ros(id).load(id, std::string(parts[1]), std::string(parts[2]));
   }
   for (const Family& family : families()) {
     if (family.name == parts[0]) return family.make(id, {parts.begin() + 1, parts.end()});
@@ -110,8 +122,7 @@ std::vector<std::string> Library::select(const std::string& pattern) const {
       ids.push_back(item);
       continue;
     }
-    const bool wants_recorded = item.starts_with(recorded_family);
-    for (const std::string& id : wants_recorded ? recorded(item).list() : list()) {
+    for (const std::string& id : listed_for(item)) {
       if (fnmatch(item.c_str(), id.c_str(), FNM_PATHNAME) == 0) ids.push_back(id);
     }
     if (ids.empty())

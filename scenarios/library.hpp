@@ -2,7 +2,8 @@
 //
 // The generated families are endless; the library lists a finite part of them. Recorded queries,
 // `movingai/<scen>/<k>`, come from a folder of .map and .scen files, k counting the queries of the scen file
-// from 1.
+// from 1. Questions on ROS maps, `ros/<map>/<k>`, come from the yaml files of the same folder, or of the
+// folder `ros` beside it.
 #pragma once
 
 #include <filesystem>
@@ -15,10 +16,12 @@
 
 namespace pathrace::scenarios {
 
+class RosQueries;
+
 class Library {
  public:
-  /// `maps`: a folder that holds .map and .scen files, at any depth; without it there are no recorded
-  /// queries.
+  /// `maps`: a folder that holds .map and .scen files, ROS maps, or both, at any depth; without it there are
+  /// neither recorded queries nor ROS maps.
   explicit Library(std::optional<std::filesystem::path> maps = std::nullopt);
   ~Library();
   Library(const Library&) = delete;
@@ -46,9 +49,12 @@ class Library {
  private:
   class Recorded;
   Recorded& recorded(const std::string& id) const;
+  RosQueries& ros(const std::string& id) const;
+  std::vector<std::string> listed_for(const std::string& pattern) const;
 
   std::optional<std::filesystem::path> maps_;
   mutable std::unique_ptr<Recorded> recorded_;
+  mutable std::unique_ptr<RosQueries> ros_;
 };
 
 /// Adds the proven optimum where it is missing, by exact search.

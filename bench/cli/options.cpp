@@ -27,6 +27,22 @@ void add_limit(CLI::App& command, const std::string& name, std::optional<Number>
       ->group("Budget (whichever ends first; replaces the planner's default)");
 }
 
+// "A,B".
+template <typename Number>
+std::optional<std::pair<Number, Number>> parse_pair(std::string_view text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string_view::npos) return std::nullopt;
+  std::pair<Number, Number> pair{};
+  const auto number = [](std::string_view part, Number& value) {
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+    return error == std::errc{} && end == part.data() + part.size();
+  };
+  if (!number(text.substr(0, comma), pair.first) || !number(text.substr(comma + 1), pair.second)) {
+    return std::nullopt;
+  }
+  return pair;
+}
+
 }  // namespace
 
 int core_count() {
@@ -64,18 +80,45 @@ void add_budget_options(CLI::App& command, Budget& budget) {
 }
 
 Cell parse_cell(const std::string& option, const std::string& text) {
-  const std::size_t comma = text.find(',');
-  const auto number = [](std::string_view part, int& value) {
-    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
-    return error == std::errc{} && end == part.data() + part.size();
-  };
-  Cell cell;
-  const std::string_view view = text;
-  if (comma == std::string::npos || !number(view.substr(0, comma), cell.x) ||
-      !number(view.substr(comma + 1), cell.y)) {
-    throw InputError(fmt::format("{}: expected a cell X,Y such as 3,4, got '{}'", option, text));
+  const std::optional<std::pair<int, int>> cell = parse_pair<int>(text);
+  if (!cell) throw InputError(fmt::format("{}: expected a cell X,Y such as 3,4, got '{}'", option, text));
+  return {cell->first, cell->second};
+}
+
+Point parse_point(const std::string& option, const std::string& text) {
+  const std::optional<std::pair<double, double>> point = parse_pair<double>(text);
+  if (!point) {
+    throw InputError(
+        fmt::format("{}: expected a point X,Y in metres such as 1.5,-2, got '{}'", option, text));
   }
-  return cell;
+  return {point->first, point->second};
+}
+
+void add_map_file_options(CLI::App& command, MapFileOptions& options) {
+  const std::string group = "Map files";
+  command
+      .add_option("--unknown", options.unknown,
+                  "unknown cells of a ROS map or picture: free, blocked or threshold (default: blocked)")
+      ->type_name("POLICY")
+      ->group(group);
+  command.add_option("--radius", options.radius, "the robot's radius: obstacles grow by it (default: 0)")
+      ->check(CLI::Range(0.0, 1e9))
+      ->type_name("METRES")
+      ->group(group);
+  command
+      .add_option("--resolution", options.resolution,
+                  "metres per cell, for files that do not say (default: 1)")
+      ->check(CLI::Range(1e-9, 1e9))
+      ->type_name("METRES")
+      ->group(group);
+}
+
+scenarios::MapOptions map_options(const MapFileOptions& options) {
+  scenarios::MapOptions map;
+  map.unknown = parse_name<scenarios::UnknownPolicy>("policy for unknown cells", options.unknown);
+  map.radius = options.radius;
+  map.resolution = options.resolution;
+  return map;
 }
 
 std::optional<std::filesystem::path> maps_folder(const std::string& given) {

@@ -9,6 +9,7 @@
 #include "bench/runner.hpp"
 #include "core/budget.hpp"
 #include "core/cell.hpp"
+#include "scenarios/map_reader.hpp"
 
 namespace pathrace::bench::cli {
 
@@ -23,6 +24,22 @@ void add_budget_options(CLI::App& command, Budget& budget);
 
 /// "3,4". Throws InputError that names the option.
 Cell parse_cell(const std::string& option, const std::string& text);
+
+/// "1.5,-2". Throws InputError that names the option.
+Point parse_point(const std::string& option, const std::string& text);
+
+/// What a map file leaves to be said.
+struct MapFileOptions {
+  std::string unknown = "blocked";
+  double radius = 0;
+  std::optional<double> resolution;
+};
+
+/// --unknown, --radius, --resolution.
+void add_map_file_options(CLI::App& command, MapFileOptions& options);
+
+/// Throws InputError for an unknown policy; names the nearest match.
+scenarios::MapOptions map_options(const MapFileOptions& options);
 
 int core_count();
 

@@ -19,7 +19,7 @@
 #include "results/svg.hpp"
 #include "results/trace_csv.hpp"
 #include "scenarios/library.hpp"
-#include "scenarios/movingai/map_file.hpp"
+#include "scenarios/map_reader.hpp"
 
 namespace pathrace::bench::cli {
 namespace {
@@ -29,6 +29,9 @@ struct PlanCommand {
   std::string map;
   std::string start;
   std::string goal;
+  std::string start_m;
+  std::string goal_m;
+  MapFileOptions map_options;
   std::string maps;
   std::string planner;
   std::string rule;
@@ -41,16 +44,25 @@ struct PlanCommand {
   std::string trace;
 };
 
-Scenario scenario_on_map(const PlanCommand& command) {
-  if (command.start.empty() || command.goal.empty()) {
-    throw InputError("--map needs --start X,Y and --goal X,Y");
+// One end of the way, in cells or in metres.
+Cell chosen_cell(const std::string& option, const std::string& cell, const std::string& metres,
+                 const scenarios::MapFrame& frame) {
+  if (cell.empty() == metres.empty()) {
+    throw InputError(fmt::format("--map needs either {0} X,Y or {0}-m X,Y", option));
   }
+  if (metres.empty()) return parse_cell(option, cell);
+  const Point point = parse_point(option + "-m", metres);
+  const std::optional<Cell> found = frame.cell_at({point.x, point.y});
+  if (!found) throw InputError(fmt::format("{}-m: expected a point on the map, got '{}'", option, metres));
+  return *found;
+}
+
+Scenario scenario_on_map(const PlanCommand& command) {
+  const scenarios::GridMap map = scenarios::read_map(command.map, map_options(command.map_options));
   Scenario scenario;
-  scenario.start = parse_cell("--start", command.start);
-  scenario.goal = parse_cell("--goal", command.goal);
-  const scenarios::MapFile map = scenarios::MapFile::read(command.map);
-  const bool on_map = map.ground()->contains(scenario.start) && map.ground()->contains(scenario.goal);
-  scenario.terrain.grid = on_map ? map.grid_for(scenario.start, scenario.goal) : map.ground();
+  scenario.start = chosen_cell("--start", command.start, command.start_m, map.frame);
+  scenario.goal = chosen_cell("--goal", command.goal, command.goal_m, map.frame);
+  scenario.terrain.grid = map.grid_for(scenario.start, scenario.goal);
   scenario.id = command.map;
   require_valid(scenario);
   scenario.id = fmt::format("map/{}/{},{}/{},{}", std::filesystem::path(command.map).stem().string(),
@@ -139,11 +151,18 @@ void add_plan(CLI::App& app) {
                   "pathrace plan --scenario dense/20-20/7 --planner as:dead_end=backtrack --svg path.svg",
                   [command] { return plan_command(*command); });
   options->add_option("--scenario", command->scenario, "a scenario of the library")->type_name("ID");
-  options->add_option("--map", command->map, "a MovingAI .map file, with --start and --goal")
+  options
+      ->add_option("--map", command->map,
+                   "a map file (.map .yaml .yml .pgm .png .bmp .csv .txt), with --start and --goal")
       ->type_name("FILE");
   options->add_option("--start", command->start, "a cell; 0,0 is the upper left")->type_name("X,Y");
   options->add_option("--goal", command->goal, "a cell")->type_name("X,Y");
-  options->add_option("--maps", command->maps, "folder of recorded maps, for movingai/... scenarios")
+  options->add_option("--start-m", command->start_m, "the same in metres of the map's frame")
+      ->type_name("X,Y");
+  options->add_option("--goal-m", command->goal_m, "the same in metres")->type_name("X,Y");
+  add_map_file_options(*options, command->map_options);
+  options
+      ->add_option("--maps", command->maps, "folder of recorded maps, for movingai/... and ros/... scenarios")
       ->type_name("DIR");
   options
       ->add_option("--planner", command->planner,

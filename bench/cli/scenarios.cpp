@@ -28,7 +28,8 @@ std::string print_optimum(const Scenario& scenario) {
 
 void add_scenario_options(CLI::App& verb, std::string& id, std::string& maps) {
   verb.add_option("id", id, "a scenario")->required()->type_name("ID");
-  verb.add_option("--maps", maps, "folder of recorded maps, for movingai/... scenarios")->type_name("DIR");
+  verb.add_option("--maps", maps, "folder of recorded maps, for movingai/... and ros/... scenarios")
+      ->type_name("DIR");
 }
 
 void add_scenarios(CLI::App& app) {

@@ -7,7 +7,7 @@
 
 #include "core/error.hpp"
 #include "scenarios/movingai/scen_file.hpp"
-#include "scenarios/movingai/text.hpp"
+#include "scenarios/text.hpp"
 
 namespace pathrace::scenarios {
 namespace {

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "scenarios/movingai/file_bytes.hpp"
+#include "scenarios/file_bytes.hpp"
 #include "scenarios/movingai/map_header.hpp"
-#include "scenarios/movingai/text.hpp"
+#include "scenarios/text.hpp"
 
 namespace pathrace::scenarios {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "scenarios/movingai/text.hpp"
+#include "scenarios/text.hpp"
 
 namespace pathrace::scenarios {
 

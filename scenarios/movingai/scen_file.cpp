@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "core/error.hpp"
-#include "scenarios/movingai/file_bytes.hpp"
-#include "scenarios/movingai/text.hpp"
+#include "scenarios/file_bytes.hpp"
+#include "scenarios/text.hpp"
 
 namespace pathrace::scenarios {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
-#include "scenarios/movingai/text.hpp"
+#include "scenarios/text.hpp"
 
 namespace pathrace::scenarios {
 namespace {

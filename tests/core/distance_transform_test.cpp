@@ -53,6 +53,28 @@ TEST(DistanceTransform, EqualsBruteForceOnSparseMapsWhereDistancesAreLong) {
   }
 }
 
+TEST(DistanceTransform, WithAnOpenBorderOnlyBlockedCellsOfTheMapCount) {
+  const Stream seeds(3);
+  for (std::uint64_t i = 0; i < 100; ++i) {
+    Stream stream = seeds.fork(i);
+    const int width = stream.between(1, 24);
+    const OccupancyGrid grid = testing::random_grid(stream.fork(0), width, stream.between(1, 24), 0.03);
+    const DistanceTransform transform(grid, Border::open);
+    for (int y = 0; y < grid.height(); ++y) {
+      for (int x = 0; x < grid.width(); ++x) {
+        std::int64_t least = DistanceTransform::far;
+        for (int v = 0; v < grid.height(); ++v) {
+          for (int u = 0; u < grid.width(); ++u) {
+            if (grid.is_free({u, v})) continue;
+            least = std::min(least, std::int64_t{(x - u) * (x - u) + (y - v) * (y - v)});
+          }
+        }
+        ASSERT_EQ(std::min(transform.squared({x, y}), DistanceTransform::far), least) << "map " << i;
+      }
+    }
+  }
+}
+
 TEST(DistanceTransform, OutsideTheMapIsBlocked) {
   const DistanceTransform transform(OccupancyGrid(5, 5));
   EXPECT_EQ(transform.squared({0, 0}), 1);

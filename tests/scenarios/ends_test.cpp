@@ -28,6 +28,10 @@ TEST(LargestRegion, HasTheMostCellsSideBySide) {
   EXPECT_TRUE(largest_region(grid_of({"##", "##"})).empty());
 }
 
+TEST(LargestRegion, IsTheFirstRowByRowOfEquals) {
+  EXPECT_EQ(largest_region(grid_of({".#."})), std::vector<Cell>{(Cell{0, 0})});
+}
+
 TEST(LargestRegion, DoesNotLeadThroughTouchingCorners) {
   EXPECT_EQ(largest_region(grid_of({".#", "#."})).size(), 1U);
 }

@@ -9,7 +9,9 @@
 #include "bench/run_folder.hpp"
 #include "core/error.hpp"
 #include "results/svg.hpp"
+#include "scenarios/image/png_writer.hpp"
 #include "scenarios/movingai/writer.hpp"
+#include "scenarios/text_grid.hpp"
 
 namespace pathrace::bench::cli {
 namespace {
@@ -29,19 +31,29 @@ std::string file_name_of(const std::string& id) {
   return file + ".map";
 }
 
+void write_as(const std::string& format, std::ostream& out, const Scenario& scenario) {
+  if (format == "map") {
+    scenarios::write_map(out, scenario.grid());
+  } else if (format == "scen") {
+    scenarios::write_scen(out, file_name_of(scenario.id), scenario);
+  } else if (format == "png") {
+    scenarios::write_png(out, scenario.grid());
+  } else if (format == "svg") {
+    results::write_svg(out, scenario, std::nullopt, scenario.id);
+  } else if (format == "csv") {
+    scenarios::write_text_grid(out, scenario.grid(), ",");
+  } else if (format == "txt") {
+    scenarios::write_text_grid(out, scenario.grid(), "");
+  } else {
+    throw InputError(fmt::format(
+        "--format: {}", unknown_name("format", format, {"map", "scen", "png", "svg", "csv", "txt"})));
+  }
+}
+
 int export_scenario(const ExportOptions& options) {
   const Scenario scenario = proven_scenario(options.id, options.maps);
   std::ostringstream text;
-  if (options.format == "map") {
-    scenarios::write_map(text, scenario.grid());
-  } else if (options.format == "scen") {
-    scenarios::write_scen(text, file_name_of(scenario.id), scenario);
-  } else if (options.format == "svg") {
-    results::write_svg(text, scenario, std::nullopt, scenario.id);
-  } else {
-    throw InputError(
-        fmt::format("--format: {}", unknown_name("format", options.format, {"map", "scen", "svg"})));
-  }
+  write_as(options.format, text, scenario);
   if (options.out.empty()) {
     std::cout << text.str();
   } else {
@@ -57,7 +69,9 @@ void add_scenarios_export(CLI::App& parent) {
   CLI::App* verb =
       add_verb(parent, "export", "write a scenario as a file", "dense/20-20/7 --format map -o dense.map",
                [options] { return export_scenario(*options); });
-  verb->add_option("--format", options->format, "map, scen or svg")->required()->type_name("FORMAT");
+  verb->add_option("--format", options->format, "map, scen, png, svg, csv or txt")
+      ->required()
+      ->type_name("FORMAT");
   verb->add_option("-o,--out", options->out, "the file (default: standard output)")->type_name("FILE");
   add_scenario_options(*verb, options->id, options->maps);
 }

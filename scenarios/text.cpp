@@ -1,10 +1,11 @@
-#include "scenarios/movingai/text.hpp"
+#include "scenarios/text.hpp"
 
 #include <fmt/format.h>
 
 #include <charconv>
 
 #include "core/error.hpp"
+#include "core/grid.hpp"
 
 namespace pathrace::scenarios {
 namespace {
@@ -53,6 +54,20 @@ std::string printable_name(std::string_view name) {
 
 void fail_at(std::string_view name, int line, std::string_view what) {
   throw InputError(fmt::format("{}:{}: {}", printable_name(name), line, what));
+}
+
+void fail_in(std::string_view name, std::string_view what) {
+  throw InputError(fmt::format("{}: {}", printable_name(name), what));
+}
+
+void require_map_size(std::string_view name, int line, std::int64_t width, std::int64_t height) {
+  constexpr int side = OccupancyGrid::max_side;
+  const bool sides_fit = width >= 1 && height >= 1 && width <= side && height <= side;
+  if (sides_fit && width * height <= OccupancyGrid::max_cells) return;
+  const std::string what = fmt::format("a map of {}x{} cells; expected 1 to {} a side and at most {} in all",
+                                       width, height, side, OccupancyGrid::max_cells);
+  if (line == 0) fail_in(name, what);
+  fail_at(name, line, what);
 }
 
 std::string_view trimmed(std::string_view text) {

@@ -1,4 +1,4 @@
-#include "scenarios/movingai/file_bytes.hpp"
+#include "scenarios/file_bytes.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "core/error.hpp"
-#include "scenarios/movingai/text.hpp"
+#include "scenarios/text.hpp"
 
 namespace pathrace::scenarios {
 namespace {
@@ -51,6 +51,14 @@ std::string first_bytes(const fs::path& file, std::uintmax_t count) {
   if (in.bad()) refuse(file, std::make_error_code(std::errc::io_error));
   bytes.resize(static_cast<std::size_t>(in.gcount()));
   return bytes;
+}
+
+std::string whole_file(const fs::path& file, std::uintmax_t most) {
+  const std::uintmax_t size = size_of_file(file);
+  if (size > most) {
+    throw InputError(message(file, fmt::format("holds {} bytes; expected at most {}", size, most)));
+  }
+  return first_bytes(file, size);
 }
 
 }  // namespace pathrace::scenarios

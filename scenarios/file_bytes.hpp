@@ -17,4 +17,7 @@ std::uintmax_t size_of_file(const std::filesystem::path& file);
 /// The first `count` bytes of the file, in one go; fewer when it holds fewer.
 std::string first_bytes(const std::filesystem::path& file, std::uintmax_t count);
 
+/// The whole file. Throws InputError "FILE: holds N bytes, expected at most MOST" for a larger one, unread.
+std::string whole_file(const std::filesystem::path& file, std::uintmax_t most);
+
 }  // namespace pathrace::scenarios

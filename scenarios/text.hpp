@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +20,13 @@ std::string printable_name(std::string_view name);
 
 /// Throws InputError "NAME:LINE: WHAT".
 [[noreturn]] void fail_at(std::string_view name, int line, std::string_view what);
+
+/// Throws InputError "NAME: WHAT", for files without lines.
+[[noreturn]] void fail_in(std::string_view name, std::string_view what);
+
+/// Throws InputError "NAME:LINE: WHAT" for a map that OccupancyGrid does not take; without the line when it
+/// is 0.
+void require_map_size(std::string_view name, int line, std::int64_t width, std::int64_t height);
 
 /// The text without blanks (spaces, tabs, carriage returns, line feeds) at its ends.
 std::string_view trimmed(std::string_view text);
