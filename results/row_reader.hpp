@@ -1,9 +1,11 @@
-// From a row of the store to a TrialRow, trusting nothing: the file may have been edited or damaged.
+// From a row of the store to a TrialRow or a ScenarioRow, trusting nothing: the file may have been edited or
+// damaged.
 #pragma once
 
 #include <SQLiteCpp/Statement.h>
 
 #include "results/row.hpp"
+#include "results/scenario_row.hpp"
 
 namespace pathrace::results {
 
@@ -15,5 +17,8 @@ void read_full(SQLite::Statement& statement, TrialRow& row);
 
 /// Key, digest and `timed` of select_digests().
 void read_digest(SQLite::Statement& statement, TrialRow& row);
+
+/// The question of the current row of select_scenarios(), and its feature if there is one.
+void read_scenario(SQLite::Statement& statement, ScenarioRow& row);
 
 }  // namespace pathrace::results

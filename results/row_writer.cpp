@@ -4,54 +4,16 @@
 
 #include <initializer_list>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <string_view>
 
 #include "core/hash.hpp"
+#include "results/binder.hpp"
 #include "results/number_text.hpp"
 #include "results/trace_text.hpp"
 
 namespace pathrace::results {
 namespace {
-
-// Binds values from left to right. Text is borrowed: it outlives the statement's next execution.
-// tryReset, since a reset reports the failure of the execution before once more.
-class Binder {
- public:
-  explicit Binder(SQLite::Statement& statement) : statement_(statement) { statement_.tryReset(); }
-
-  Binder& text(const std::string& value) {
-    statement_.bindNoCopy(++index_, value);
-    return *this;
-  }
-  Binder& name(std::string_view value) {
-    statement_.bind(++index_, std::string(value));
-    return *this;
-  }
-  Binder& integer(std::int64_t value) {
-    statement_.bind(++index_, value);
-    return *this;
-  }
-  Binder& count(std::uint64_t value) {
-    constexpr auto largest = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
-    return value <= largest ? integer(static_cast<std::int64_t>(value)) : name(std::to_string(value));
-  }
-  Binder& real(double value) {
-    statement_.bind(++index_, value);
-    return *this;
-  }
-  Binder& real(const std::optional<double>& value) { return value ? real(*value) : null(); }
-  Binder& integer(const std::optional<int>& value) { return value ? integer(std::int64_t{*value}) : null(); }
-  Binder& null() {
-    statement_.bind(++index_);
-    return *this;
-  }
-
- private:
-  SQLite::Statement& statement_;
-  int index_ = 0;
-};
 
 std::string identity_text(std::initializer_list<std::string_view> parts) {
   std::string text;
@@ -82,10 +44,19 @@ std::int64_t Interner::number(const std::string& identity, const Bind& bind) {
   return number;
 }
 
+ScenarioNumbers::ScenarioNumbers(SQLite::Database& database)
+    : interner_(database, "SELECT number FROM scenario WHERE id = ? AND rule = ? AND optimum IS ?",
+                "INSERT INTO scenario (id, rule, optimum) VALUES (?, ?, ?)") {}
+
+std::int64_t ScenarioNumbers::number(const std::string& id, MoveRule rule, std::optional<double> optimum) {
+  return interner_.number(
+      identity_text({id, name(rule), optimum ? print_number(*optimum) : ""}),
+      [&](SQLite::Statement& statement) { Binder(statement).text(id).name(name(rule)).real(optimum); });
+}
+
 RowWriter::RowWriter(SQLite::Database& database)
     : database_(database),
-      scenarios_(database, "SELECT number FROM scenario WHERE id = ? AND rule = ? AND optimum IS ?",
-                 "INSERT INTO scenario (id, rule, optimum) VALUES (?, ?, ?)"),
+      scenarios_(database),
       planners_(database,
                 "SELECT number FROM planner WHERE label = ? AND call = ? AND version = ? AND track = ? "
                 "AND budget = ?",
@@ -108,14 +79,6 @@ void RowWriter::forget() {
   planners_.forget();
 }
 
-std::int64_t RowWriter::scenario_number(const TrialRow& row) {
-  const std::string optimum = row.optimum ? print_number(*row.optimum) : "";
-  return scenarios_.number(identity_text({row.scenario, name(row.rule), optimum}),
-                           [&row](SQLite::Statement& statement) {
-                             Binder(statement).text(row.scenario).name(name(row.rule)).real(row.optimum);
-                           });
-}
-
 std::int64_t RowWriter::planner_number(const TrialRow& row) {
   const std::string version = std::to_string(row.version);
   return planners_.number(identity_text({row.planner, row.call, version, name(row.track), row.budget}),
@@ -132,7 +95,7 @@ std::int64_t RowWriter::planner_number(const TrialRow& row) {
 void RowWriter::write_trial(const TrialRow& row) {
   Binder(insert_trial_)
       .name(hex(row.key))
-      .integer(scenario_number(row))
+      .integer(scenarios_.number(row.scenario, row.rule, row.optimum))
       .integer(planner_number(row))
       .count(row.repetition)
       .count(row.seed)

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <unordered_map>
 
@@ -32,6 +33,18 @@ class Interner {
   std::unordered_map<std::string, std::int64_t> known_;
 };
 
+/// Numbers of the scenarios that trials and features belong to.
+class ScenarioNumbers {
+ public:
+  explicit ScenarioNumbers(SQLite::Database& database);
+
+  std::int64_t number(const std::string& id, MoveRule rule, std::optional<double> optimum);
+  void forget() { interner_.forget(); }
+
+ private:
+  Interner interner_;
+};
+
 class RowWriter {
  public:
   explicit RowWriter(SQLite::Database& database);
@@ -42,13 +55,12 @@ class RowWriter {
   void forget();
 
  private:
-  std::int64_t scenario_number(const TrialRow& row);
   std::int64_t planner_number(const TrialRow& row);
   void write_trial(const TrialRow& row);
   void write_answer(const TrialRow& row);
 
   SQLite::Database& database_;
-  Interner scenarios_;
+  ScenarioNumbers scenarios_;
   Interner planners_;
   SQLite::Statement insert_trial_;
   SQLite::Statement insert_answer_;

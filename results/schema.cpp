@@ -9,6 +9,15 @@ constexpr const char* tables = R"(
 CREATE TABLE meta (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
 CREATE TABLE scenario (number INTEGER PRIMARY KEY, id TEXT NOT NULL, rule TEXT NOT NULL, optimum);
 CREATE INDEX scenario_by_id ON scenario (id);
+CREATE TABLE question (
+  scenario INTEGER PRIMARY KEY REFERENCES scenario (number), width INTEGER NOT NULL, height INTEGER NOT NULL,
+  start_x INTEGER NOT NULL, start_y INTEGER NOT NULL, goal_x INTEGER NOT NULL, goal_y INTEGER NOT NULL,
+  hash TEXT NOT NULL);
+CREATE TABLE feature (
+  scenario INTEGER NOT NULL REFERENCES scenario (number), name TEXT NOT NULL, value,
+  UNIQUE (scenario, name));
+CREATE VIEW features AS SELECT s.id AS scenario, s.rule AS rule, f.name AS name, f.value AS value
+  FROM feature AS f LEFT JOIN scenario AS s ON s.number = f.scenario;
 CREATE TABLE planner (
   number INTEGER PRIMARY KEY, label TEXT NOT NULL, call TEXT NOT NULL, version INTEGER NOT NULL,
   track TEXT NOT NULL, budget TEXT NOT NULL);
@@ -61,6 +70,18 @@ std::string select_full() {
 
 std::string select_digests() {
   return "SELECT key, digest, timed FROM trial ORDER BY number";
+}
+
+std::string select_scenarios() {
+  return "SELECT s.id AS id, s.rule AS rule, s.optimum AS optimum, q.width AS width, q.height AS height, "
+         "q.start_x AS start_x, q.start_y AS start_y, q.goal_x AS goal_x, q.goal_y AS goal_y, "
+         "q.hash AS hash, f.name AS name, f.value AS value "
+         "FROM question AS q LEFT JOIN scenario AS s ON s.number = q.scenario "
+         "LEFT JOIN feature AS f ON f.scenario = q.scenario ORDER BY q.scenario, f.rowid";
+}
+
+std::string select_feature_names() {
+  return "SELECT name FROM feature GROUP BY name ORDER BY min(rowid)";
 }
 
 }  // namespace pathrace::results

@@ -1,11 +1,14 @@
-// The tables of a store, schema version 1.
+// The tables of a store, schema version 2.
 //
 // meta      name and value: campaign, toml, hash, seed, trials
 // scenario  what trials share about their question
+// question  what the map and the query of a scenario are; written when a run begins
+// feature   name and value of a scenario's features, in long form: a new feature needs no new column
 // planner   what trials share about their player, its budget included
 // trial     one slim row per trial; `number` counts in order of insertion
 // answer    the path and the anytime trace of a trial, as text
-// trials    a view that joins the first four into the columns of trials.csv
+// trials    a view that joins scenario, planner and trial into the columns of trials.csv
+// features  a view of the features under the scenarios' ids
 //
 // Keys and digests are sixteen hexadecimal digits. Columns of numbers that must come back bit for bit have no
 // declared type: a column declared REAL turns -0.0 into 0, and one declared INTEGER rounds what exceeds
@@ -18,7 +21,7 @@
 namespace pathrace::results {
 
 inline constexpr std::int32_t application_id = 0x70617468;  // "path", in the file's header
-inline constexpr int schema_version = 1;
+inline constexpr int schema_version = 2;
 
 /// All statements that make an empty store, its numbers in the header included.
 std::string schema();
@@ -29,5 +32,9 @@ std::string select_slim();
 std::string select_full();
 /// The columns `key`, `digest` and `timed` alone.
 std::string select_digests();
+/// Every described scenario in order of insertion, a row per feature, or one without a name of a feature.
+std::string select_scenarios();
+/// The names of all features, in the order in which they were first stored.
+std::string select_feature_names();
 
 }  // namespace pathrace::results

@@ -15,8 +15,10 @@
 #include "core/hash.hpp"
 #include "results/database.hpp"
 #include "results/number_text.hpp"
+#include "results/quote.hpp"
 #include "results/row_reader.hpp"
 #include "results/row_writer.hpp"
+#include "results/scenario_writer.hpp"
 #include "results/schema.hpp"
 #include "results/writer_lock.hpp"
 
@@ -31,7 +33,10 @@ class Store::Impl {
       : file(std::move(where)), lock(std::move(held)), database(open_database(file, access)) {
     try {
       identity = read_identity(database);
-      if (access == Access::append) writer.emplace(database);
+      if (access == Access::append) {
+        writer.emplace(database);
+        describer.emplace(database);
+      }
     } catch (const SQLite::Exception& error) {
       throw reading_error(file, error);
     } catch (const InputError& error) {
@@ -67,8 +72,32 @@ class Store::Impl {
   SQLite::Database database;
   StoreIdentity identity;
   std::optional<RowWriter> writer;
+  std::optional<ScenarioWriter> describer;
+
+  // A transaction of the one writer; `body` throws SQLite::Exception, and all is as before.
+  template <typename Body>
+  void transact(const Body& body) {
+    if (!writer) throw std::logic_error("append to a store that was opened to be read");
+    try {
+      SQLite::Transaction transaction(database);
+      body();
+      transaction.commit();
+    } catch (const SQLite::Exception& error) {
+      forget();
+      throw_writing_error(file, error);
+    } catch (...) {
+      forget();
+      throw;
+    }
+  }
 
  private:
+  // Numbers of rows that were rolled back name nothing.
+  void forget() {
+    writer->forget();
+    describer->forget();
+  }
+
   template <typename Read>
   void read_or_name(SQLite::Statement& statement, const Read& read, TrialRow& row,
                     std::uint64_t last_key) const {
@@ -111,19 +140,15 @@ const StoreIdentity& Store::identity() const {
 }
 
 void Store::append(const std::vector<TrialRow>& rows) {
-  if (!impl_->writer) throw std::logic_error("append to a store that was opened to be read");
-  if (rows.empty()) return;
-  try {
-    SQLite::Transaction transaction(impl_->database);
+  impl_->transact([&] {
     for (const TrialRow& row : rows) impl_->writer->write(row);
-    transaction.commit();
-  } catch (const SQLite::Exception& error) {
-    impl_->writer->forget();
-    throw_writing_error(impl_->file, error);
-  } catch (...) {
-    impl_->writer->forget();
-    throw;
-  }
+  });
+}
+
+void Store::describe(const std::vector<ScenarioRow>& rows) {
+  impl_->transact([&] {
+    for (const ScenarioRow& row : rows) impl_->describer->write(row);
+  });
 }
 
 std::uint64_t Store::size() const {
@@ -153,6 +178,34 @@ void Store::for_each(const Visit& visit) const {
 }
 void Store::for_each_slim(const Visit& visit) const {
   impl_->visit_rows(select_slim(), read_slim, visit);
+}
+
+void Store::for_each_scenario(const VisitScenario& visit) const {
+  std::optional<ScenarioRow> whole;
+  impl_->scan(select_scenarios(), [&](SQLite::Statement& statement, std::uint64_t&) {
+    ScenarioRow row;
+    try {
+      read_scenario(statement, row);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: damaged scenario {}: {}", impl_->file.string(),
+                                   results::quoted(row.id), error.what()));
+    }
+    if (whole && row.id == whole->id && row.rule == whole->rule && row.hash == whole->hash) {
+      whole->features.insert(whole->features.end(), row.features.begin(), row.features.end());
+      return;
+    }
+    if (whole) visit(*whole);
+    whole = std::move(row);
+  });
+  if (whole) visit(*whole);
+}
+
+std::vector<std::string> Store::feature_names() const {
+  std::vector<std::string> names;
+  impl_->scan(select_feature_names(), [&](SQLite::Statement& statement, std::uint64_t&) {
+    names.push_back(statement.getColumn(0).getString());
+  });
+  return names;
 }
 
 }  // namespace pathrace::results

@@ -14,6 +14,7 @@
 
 #include "core/record.hpp"
 #include "results/row.hpp"
+#include "results/scenario_row.hpp"
 
 namespace pathrace::results {
 
@@ -35,6 +36,7 @@ enum class Access { read, append };
 class Store {
  public:
   using Visit = std::function<void(const TrialRow&)>;
+  using VisitScenario = std::function<void(const ScenarioRow&)>;
 
   /// An empty store, open for appending. Throws InputError when the file exists, EnvironmentError when it
   /// cannot be written.
@@ -55,6 +57,11 @@ class Store {
   /// is full or the file cannot be written.
   void append(const std::vector<TrialRow>& rows);
 
+  /// Stores scenarios and their features, all or none, over what is there already; a feature that a row does
+  /// not name is kept. Throws EnvironmentError as append does.
+  void describe(const std::vector<ScenarioRow>& rows);
+
+  /// Trials.
   std::uint64_t size() const;
   std::unordered_set<std::uint64_t> keys() const;
   std::vector<KeyedDigest> digests() const;
@@ -62,6 +69,11 @@ class Store {
   void for_each(const Visit& visit) const;
   /// The same without path and trace: `answer` and `trace` stay empty. For tables over many rows.
   void for_each_slim(const Visit& visit) const;
+
+  /// Every described scenario with its features, in order of insertion.
+  void for_each_scenario(const VisitScenario& visit) const;
+  /// The names of all features that are stored, in the order of the first scenario.
+  std::vector<std::string> feature_names() const;
 
  private:
   class Impl;
