@@ -11,11 +11,28 @@
 #include "bench/roster.hpp"
 #include "core/error.hpp"
 #include "results/leaderboard.hpp"
+#include "results/scenarios_csv.hpp"
 #include "results/trials_csv.hpp"
 
 namespace pathrace::bench {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+// A long file is streamed, never held in memory.
+template <typename Write>
+void stream_file(const fs::path& file, const Write& write) {
+  const fs::path draft = file.string() + ".part";
+  std::ofstream out(draft, std::ios::binary | std::ios::trunc);
+  write(out);
+  out.close();
+  std::error_code error;
+  if (out) fs::rename(draft, file, error);
+  if (!out || error) throw EnvironmentError(fmt::format("{}: cannot be written", file.string()));
+}
+
+}  // namespace
 
 RunFolder next_free_folder(const std::string& campaign) {
   for (int n = 1;; ++n) {
@@ -65,14 +82,8 @@ void write_tables(const RunFolder& folder, const results::Store& store) {
   std::ostringstream board;
   results::write_csv(board, results::leaderboard(store, results::Grouping::all));
   write_file(folder.leaderboard(), board.str());
-
-  const fs::path draft = folder.trials().string() + ".part";  // long: streamed, never held in memory
-  std::ofstream out(draft, std::ios::binary | std::ios::trunc);
-  results::write_trials_csv(out, store);
-  out.close();
-  std::error_code error;
-  if (out) fs::rename(draft, folder.trials(), error);
-  if (!out || error) throw EnvironmentError(fmt::format("{}: cannot be written", folder.trials().string()));
+  stream_file(folder.trials(), [&store](std::ostream& out) { results::write_trials_csv(out, store); });
+  stream_file(folder.scenarios(), [&store](std::ostream& out) { results::write_scenarios_csv(out, store); });
 }
 
 TrialPlan plan_of(const results::Store& store) {

@@ -16,6 +16,7 @@ struct RunFolder {
   std::filesystem::path campaign() const { return path / "campaign.toml"; }
   std::filesystem::path leaderboard() const { return path / "leaderboard.csv"; }
   std::filesystem::path trials() const { return path / "trials.csv"; }
+  std::filesystem::path scenarios() const { return path / "scenarios.csv"; }
 };
 
 /// `runs/<campaign>-<n>` with the least n >= 1 that does not exist yet.
@@ -31,7 +32,7 @@ void write_file(const std::filesystem::path& file, const std::string& text);
 /// The folder's store, for reading. Throws InputError when there is none.
 results::Store open_store(const RunFolder& folder);
 
-/// Writes leaderboard.csv and trials.csv from the store.
+/// Writes leaderboard.csv, trials.csv and scenarios.csv from the store.
 void write_tables(const RunFolder& folder, const results::Store& store);
 
 /// Everything a store says about its campaign, looked up again. Throws InputError when the maps are gone.

@@ -9,6 +9,7 @@
 
 #include "bench/cli/command.hpp"
 #include "bench/cli/options.hpp"
+#include "bench/describe.hpp"
 #include "bench/estimate.hpp"
 #include "bench/progress.hpp"
 #include "bench/recorder.hpp"
@@ -29,6 +30,7 @@ struct RunCommand {
   bool resume = false;
   bool dry_run = false;
   bool in_process = false;
+  bool no_features = false;
   RunOptions options;
 };
 
@@ -170,6 +172,7 @@ int run_command(const RunCommand& command) {
   const std::vector<std::size_t> missing = missing_trials(plan, &store);
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
+  store_scenarios(plan, !command.no_features, command.options, stop_requested, store);
   if (!missing.empty()) {
     say(announcement(plan, missing, command.options));
     race(plan, missing, command.options, store);
@@ -212,6 +215,8 @@ void add_run(CLI::App& app) {
   options->add_flag("--resume", command->resume, "go on with the folder of --out: recorded trials are kept");
   options->add_option("--maps", command->maps, "folder of MovingAI .map and .scen files to race on as well")
       ->type_name("DIR");
+  options->add_flag("--no-features", command->no_features,
+                    "leave the scenarios' features out of results.db and scenarios.csv");
   options->add_flag("--dry-run", command->dry_run,
                     "print the number of trials and the expected time, run nothing");
 }

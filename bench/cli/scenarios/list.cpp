@@ -1,24 +1,27 @@
-// `scenarios list`: the library's finite list, with proven optima and hashes.
+// `scenarios list`: the library's finite list, with proven optima and hashes, and on request with features.
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 
+#include "bench/cli/options.hpp"
+#include "bench/cli/scenarios/listing.hpp"
 #include "bench/cli/scenarios/verb.hpp"
+#include "bench/describe.hpp"
+#include "bench/executors.hpp"
 #include "core/error.hpp"
-#include "core/hash.hpp"
 #include "scenarios/library.hpp"
 #include "scenarios/sets.hpp"
 
 namespace pathrace::bench::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 struct ListOptions {
   std::string family;
   std::string set;
+  bool features = false;
   bool json = false;
+  bool csv = false;
+  RunOptions executor;
 };
 
 // Ids below a prefix that ends at a slash: "trap-l", "dense/20-20", "trap-l/20/".
@@ -26,18 +29,6 @@ bool below(const std::string& id, std::string prefix) {
   if (prefix.empty()) return true;
   if (prefix.back() != '/') prefix += '/';
   return (id + '/').starts_with(prefix);
-}
-
-Json object_of(const Scenario& scenario) {
-  return {{"id", scenario.id},
-          {"family", scenario.id.substr(0, scenario.id.find('/'))},
-          {"width", scenario.grid().width()},
-          {"height", scenario.grid().height()},
-          {"rule", name(scenario.terrain.rule)},
-          {"start", {scenario.start.x, scenario.start.y}},
-          {"goal", {scenario.goal.x, scenario.goal.y}},
-          {"optimum", scenario.optimum.length ? Json(scenario.optimum.length->value()) : Json(nullptr)},
-          {"hash", hex(content_hash(scenario))}};
 }
 
 std::vector<std::string> chosen_ids(const scenarios::Library& library, const ListOptions& options) {
@@ -54,23 +45,25 @@ std::vector<std::string> chosen_ids(const scenarios::Library& library, const Lis
   return ids;
 }
 
-int list_as_json(const scenarios::Library& library, const std::vector<std::string>& ids) {
-  Json array = Json::array();
-  for (const std::string& id : ids) array.push_back(object_of(library.load(id)));
-  fmt::print("{}\n", array.dump(1));
-  return done;
+std::vector<results::ScenarioRow> described(const scenarios::Library& library,
+                                            const std::vector<std::string>& ids, const ListOptions& options) {
+  std::vector<results::ScenarioRow> rows(ids.size());
+  const auto executor = make_executor(options.executor.backend, options.executor.threads);
+  for_each_index(*executor, ids.size(), 1,
+                 [&](std::size_t i) { rows[i] = describe(library.load(ids[i]), options.features); });
+  return rows;
 }
 
 int list_scenarios(const ListOptions& options) {
+  require_backend(options.executor);
   const scenarios::Library library;
-  const std::vector<std::string> ids = chosen_ids(library, options);
-  if (options.json) return list_as_json(library, ids);
-  fmt::print("{:<24} {:>9} {:<7} {:>10}  hash\n", "id", "size", "rule", "optimum");
-  for (const std::string& id : ids) {
-    const Scenario scenario = library.load(id);
-    const std::string size = fmt::format("{}x{}", scenario.grid().width(), scenario.grid().height());
-    fmt::print("{:<24} {:>9} {:<7} {:>10}  {}\n", id, size, name(scenario.terrain.rule),
-               print_optimum(scenario), hex(content_hash(scenario)));
+  const auto rows = described(library, chosen_ids(library, options), options);
+  if (options.json) {
+    print_json(rows, options.features);
+  } else if (options.csv) {
+    print_csv(rows, options.features);
+  } else {
+    print_table(rows, options.features);
   }
   return done;
 }
@@ -79,11 +72,19 @@ int list_scenarios(const ListOptions& options) {
 
 void add_scenarios_list(CLI::App& parent) {
   auto options = std::make_shared<ListOptions>();
+  options->executor.threads = std::min(core_count(), max_threads);
   CLI::App* verb = add_verb(parent, "list", "the library's list, with proven optima and hashes",
-                            "--family trap-l/20", [options] { return list_scenarios(*options); });
+                            "--family trap-l/20 --features", [options] { return list_scenarios(*options); });
   verb->add_option("--family", options->family, "only ids below this prefix")->type_name("PREFIX");
   verb->add_option("--set", options->set, "the scenarios of this set (see scenarios sets)")->type_name("SET");
-  verb->add_flag("--json", options->json, "print a JSON array");
+  verb->add_flag("--features", options->features, "compute how hard each scenario is as well");
+  CLI::Option* json = verb->add_flag("--json", options->json, "print a JSON array");
+  verb->add_flag("--csv", options->csv, "print the columns of scenarios.csv")->excludes(json);
+  verb->add_option("--threads", options->executor.threads, "scenarios side by side (default: the cores)")
+      ->check(CLI::Range(1, max_threads))
+      ->type_name("N");
+  verb->add_option("--backend", options->executor.backend, "serial, openmp, tbb or threads (default: tbb)")
+      ->type_name("NAME");
 }
 
 }  // namespace pathrace::bench::cli
