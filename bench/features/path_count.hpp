@@ -17,7 +17,7 @@ struct PathCount {
   std::int64_t exponent = 0;  ///< of 2^512
 
   void add(PathCount other);
-  /// log10 of the count, which is not 0. No libm: the same bits with every C library.
+  /// log10 of the count, which is not 0; from sums and products alone, so with the same bits everywhere.
   double log10() const;
 };
 

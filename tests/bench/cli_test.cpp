@@ -222,7 +222,7 @@ TEST(Run, WritesTheFilesOfTheContractAndALeaderboardRowPerPlanner) {
   const Finished run =
       pathrace({"run", "--campaign", "smoke", "--out", scratch / "run", "--backend", "threads"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  for (const char* file : {"results.db", "leaderboard.csv", "trials.csv", "campaign.toml"}) {
+  for (const char* file : {"results.db", "leaderboard.csv", "trials.csv", "scenarios.csv", "campaign.toml"}) {
     EXPECT_TRUE(std::filesystem::exists(scratch / ("run/" + std::string(file)))) << file;
   }
   std::ifstream board(scratch / "run/leaderboard.csv");
