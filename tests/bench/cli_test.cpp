@@ -258,7 +258,7 @@ TEST(Run, ResumingAMissingFolderStartsIt) {
       pathrace({"run", "--campaign", "smoke", "--resume", "--out", scratch / "new", "--backend", "threads"})
           .exit_code,
       0);
-  EXPECT_NE(pathrace({"digest", scratch / "new", "--json"}).out.find("\"recorded\":240"), std::string::npos);
+  EXPECT_NE(pathrace({"digest", scratch / "new", "--json"}).out.find("\"recorded\":464"), std::string::npos);
 }
 
 TEST(Run, ADryRunRunsNothing) {
@@ -266,7 +266,7 @@ TEST(Run, ADryRunRunsNothing) {
   const Finished dry =
       pathrace({"run", "--campaign", "smoke", "--dry-run", "--out", scratch / "run", "--backend", "threads"});
   EXPECT_EQ(dry.exit_code, 0) << dry.err;
-  EXPECT_NE(dry.out.find("240 trials"), std::string::npos) << dry.out;
+  EXPECT_NE(dry.out.find("464 trials"), std::string::npos) << dry.out;
   EXPECT_NE(dry.out.find("about"), std::string::npos) << dry.out;
   EXPECT_FALSE(std::filesystem::exists(scratch / "run"));
 }
@@ -310,7 +310,7 @@ TEST(Run, RecordedMapsJoinTheRace) {
                                  scratch / "run", "--backend", "threads"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_NE(run.err.find("left out"), std::string::npos) << run.err;  // the query on a blocked cell
-  EXPECT_NE(run.err.find("256 trials"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("480 trials"), std::string::npos) << run.err;
   const Finished verify = pathrace({"verify", scratch / "run", "--backend", "threads"});
   EXPECT_EQ(verify.exit_code, 0) << verify.out << verify.err;
   std::filesystem::remove(scratch / "small.map");
