@@ -15,6 +15,7 @@
 #include "core/hash.hpp"
 #include "core/referee.hpp"
 #include "results/json.hpp"
+#include "results/picture_png.hpp"
 #include "results/row.hpp"
 #include "results/svg.hpp"
 #include "results/trace_csv.hpp"
@@ -41,6 +42,7 @@ struct PlanCommand {
   RunOptions options;
   bool json = false;
   std::string svg;
+  std::string png;
   std::string trace;
 };
 
@@ -106,10 +108,16 @@ void print_summary(const results::TrialRow& row) {
 }
 
 void write_pictures(const PlanCommand& command, const Scenario& scenario, const results::TrialRow& row) {
+  const std::string title = fmt::format("{} on {}", row.planner, row.scenario);
   if (!command.svg.empty()) {
     std::ostringstream text;
-    results::write_svg(text, scenario, row.answer, fmt::format("{} on {}", row.planner, row.scenario));
+    results::write_svg(text, scenario, row.answer, title);
     write_file(command.svg, text.str());
+  }
+  if (!command.png.empty()) {
+    std::ostringstream bytes;
+    results::write_png(bytes, scenario, row.answer, title);
+    write_file(command.png, bytes.str());
   }
   if (!command.trace.empty()) {
     std::ostringstream text;
@@ -180,6 +188,7 @@ void add_plan(CLI::App& app) {
   add_executor_options(*options, command->options, false);
   options->add_flag("--json", command->json, "print one JSON object");
   options->add_option("--svg", command->svg, "draw map and path")->type_name("FILE");
+  options->add_option("--png", command->png, "draw map and path, as pixels")->type_name("FILE");
   options->add_option("--trace", command->trace, "write each improvement with the work spent, as CSV")
       ->type_name("FILE.csv");
 }

@@ -1,9 +1,10 @@
-// `scenarios show`: one scenario, drawn on the terminal.
+// `scenarios show`: one scenario, drawn on the terminal or as a picture.
 #include <fmt/format.h>
 
 #include <iostream>
 #include <memory>
 
+#include "bench/cli/picture_file.hpp"
 #include "bench/cli/scenarios/verb.hpp"
 #include "scenarios/ascii.hpp"
 
@@ -13,9 +14,16 @@ namespace {
 struct ShowOptions {
   std::string id;
   std::string maps;
+  std::string out;
 };
 
 int show_scenario(const ShowOptions& options) {
+  if (!options.out.empty()) {
+    require_extension(options.out, {".png", ".svg"});
+    const Scenario scenario = proven_scenario(options.id, options.maps);
+    write_picture(options.out, scenario, std::nullopt, scenario.id);
+    return done;
+  }
   const Scenario scenario = proven_scenario(options.id, options.maps);
   fmt::print("{}: {}x{} cells, {} free, rule {}, start {},{}, goal {},{}, optimum {}\n", scenario.id,
              scenario.grid().width(), scenario.grid().height(), scenario.grid().free_cells(),
@@ -30,8 +38,9 @@ int show_scenario(const ShowOptions& options) {
 
 void add_scenarios_show(CLI::App& parent) {
   auto options = std::make_shared<ShowOptions>();
-  CLI::App* verb = add_verb(parent, "show", "draw a scenario on the terminal", "trap-u/20/3",
+  CLI::App* verb = add_verb(parent, "show", "draw a scenario on the terminal, or as a picture", "trap-u/20/3",
                             [options] { return show_scenario(*options); });
+  verb->add_option("-o,--out", options->out, "draw it into a .png or .svg file instead")->type_name("FILE");
   add_scenario_options(*verb, options->id, options->maps);
 }
 

@@ -1,0 +1,20 @@
+// Pictures as files: the extension says which kind.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/planner.hpp"
+#include "core/scenario.hpp"
+
+namespace pathrace::bench::cli {
+
+/// Throws InputError that names the file and the extensions it may have, such as ".png".
+void require_extension(const std::string& file, const std::vector<std::string>& extensions);
+
+/// Writes a .png or .svg picture. Throws InputError for another extension, EnvironmentError when the file
+/// cannot be written.
+void write_picture(const std::string& file, const Scenario& scenario, const Answer& answer,
+                   const std::string& title);
+
+}  // namespace pathrace::bench::cli

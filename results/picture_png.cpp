@@ -1,0 +1,17 @@
+#include "results/picture_png.hpp"
+
+#include "results/canvas_pen.hpp"
+#include "results/picture.hpp"
+#include "results/png.hpp"
+
+namespace pathrace::results {
+
+void write_png(std::ostream& out, const Scenario& scenario, const Answer& answer, const std::string& title) {
+  const PictureLayout layout = layout_of(scenario.grid());
+  Canvas canvas(static_cast<int>(layout.width), static_cast<int>(layout.height), palette.paper);
+  CanvasPen pen(canvas);
+  draw_picture(pen, layout, scenario, answer, title);
+  out << png_bytes(canvas);
+}
+
+}  // namespace pathrace::results
