@@ -65,11 +65,7 @@ Sketch draw(const CaveSettings& settings, int n, Stream& stream) {
 
 Family caves_family() {
   const GeneratedCard card{
-      "caves",
-      "caves of a cellular automaton that begins with <percent> % of rock, ends far apart",
-      "percent",
-      Ends::far,
-      {"20-42", "64-42"}};
+      "caves", "caves of a cellular automaton, ends far apart", "percent", Ends::far, {"20-42", "64-42"}};
   return generated_family<CaveSettings>(
       card,
       {integer("percent", &CaveSettings::percent, 0, 50, "%", Source::ours,

@@ -85,11 +85,8 @@ Sketch draw(const CitySettings& settings, int n, Stream& stream) {
 }  // namespace
 
 Family city_family() {
-  const GeneratedCard card{"city",
-                           "blocks of about <block> cells, streets, squares and courtyards",
-                           "block",
-                           Ends::corners,
-                           {"20-4", "64-8"}};
+  const GeneratedCard card{
+      "city", "blocks of houses, streets, squares and courtyards", "block", Ends::corners, {"20-4", "64-8"}};
   return generated_family<CitySettings>(
       card,
       {integer("block", &CitySettings::block, 1, 512, "cells", Source::ours, "usual side of a block"),

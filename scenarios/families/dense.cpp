@@ -37,7 +37,7 @@ Sketch draw(const DenseSettings& settings, int n, Stream& stream) {
 
 Family dense_family() {
   const GeneratedCard card{"dense",
-                           "exactly <percent> % of the cells blocked at random, corner to corner",
+                           "an exact percentage of the cells blocked at random, corner to corner",
                            "percent",
                            Ends::own,
                            {"10-10", "10-20", "10-30", "20-10", "20-20", "20-30"}};

@@ -53,11 +53,8 @@ Sketch draw(const MazeSettings& settings, int n, Stream& stream) {
 }  // namespace
 
 Family maze_family() {
-  const GeneratedCard card{"maze",
-                           "a maze with corridors <corridor> cells wide, ends far apart",
-                           "corridor",
-                           Ends::far,
-                           {"20-1", "64-2"}};
+  const GeneratedCard card{
+      "maze", "a maze with corridors of one width, ends far apart", "corridor", Ends::far, {"20-1", "64-2"}};
   return generated_family<MazeSettings>(
       card,
       {integer("corridor", &MazeSettings::corridor, 1, 64, "cells", Source::ours,

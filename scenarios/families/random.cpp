@@ -25,12 +25,11 @@ Sketch draw(const RandomSettings& settings, int n, Stream& stream) {
 }  // namespace
 
 Family random_family() {
-  const GeneratedCard card{
-      "random",
-      "each cell blocked with probability <percent> %, ends far apart in the largest region",
-      "percent",
-      Ends::far,
-      {"20-35", "64-35"}};
+  const GeneratedCard card{"random",
+                           "each cell blocked with the same probability, ends far apart",
+                           "percent",
+                           Ends::far,
+                           {"20-35", "64-35"}};
   return generated_family<RandomSettings>(
       card,
       {integer("percent", &RandomSettings::percent, 0, 60, "%", Source::ours, "chance of a blocked cell")},

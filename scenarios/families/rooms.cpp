@@ -54,11 +54,8 @@ Sketch draw(const RoomSettings& settings, int n, Stream& stream) {
 }  // namespace
 
 Family rooms_family() {
-  const GeneratedCard card{"rooms",
-                           "square rooms of side <room> with doors between them, ends far apart",
-                           "room",
-                           Ends::far,
-                           {"20-5", "64-8"}};
+  const GeneratedCard card{
+      "rooms", "square rooms with doors between them, ends far apart", "room", Ends::far, {"20-5", "64-8"}};
   return generated_family<RoomSettings>(
       card,
       {integer("room", &RoomSettings::room, 1, 1024, "cells", Source::ours, "side of a room"),

@@ -52,7 +52,7 @@ Sketch draw(const WarehouseSettings& settings, int n, Stream& stream) {
 
 Family warehouse_family() {
   const GeneratedCard card{"warehouse",
-                           "racks in rows, aisles <aisle> cells wide, pallets in the way",
+                           "racks in rows, aisles between them, pallets in the way",
                            "aisle",
                            Ends::corners,
                            {"20-1", "64-2"}};
