@@ -36,7 +36,8 @@ class Library {
   Scenario load(const std::string& id) const;
 
   /// The ids that a campaign's pattern stands for: an id, a range of seeds `dense/20-20/1..30`, a glob over
-  /// the list (`trap-*/20/*`, where `*` stays within one part), or a set `set/traps`. Throws InputError when there is none.
+  /// the list (`trap-*/20/*`, where `*` stays within one part), or a set `set/traps`. Throws InputError when
+  /// there is none.
   std::vector<std::string> select(const std::string& pattern) const;
 
   /// Ids of up to `per_scen` recorded queries of each scen file, spread evenly; queries on maps with more
