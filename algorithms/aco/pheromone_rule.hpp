@@ -5,6 +5,7 @@
 // iteration's end and in ant order.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -68,6 +69,9 @@ class PheromoneRule {
   virtual Path finish(const Nest& nest, const Walk& best) const { return path_of(nest, best); }
 
  protected:
+  /// 1 / (evaporation * length): what one ant's deposits of 1 / length settle at. Evaporation 0 counts as
+  /// 1e-6.
+  double settled(double length) const { return 1 / (std::max(settings_.evaporation, 1e-6) * length); }
   /// Every ant that arrived adds its amount, in ant order.
   void deposit_all(Colony& colony, std::size_t count) const;
 
