@@ -136,9 +136,7 @@ void Colony::keep_if_better(const Walk& walk, Harvest& harvest, Meter& meter) {
 }
 
 void Colony::deposit(const Walk& walk, double amount) {
-  for_each_step(nest_, walk, [&](std::size_t index, int direction) {
-    trail_->deposit(index, direction, amount, settings_.both_ways);
-  });
+  trail_->reinforce(nest_.start(), walk.directions, amount, settings_.both_ways);
 }
 
 void Colony::close(std::size_t index) {

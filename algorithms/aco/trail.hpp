@@ -15,6 +15,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <vector>
@@ -63,6 +64,10 @@ class Trail {
     change(index, direction, 1, amount, both_ways);
   }
 
+  /// Deposits `amount` on each step of a path from `index` on.
+  void reinforce(std::size_t index, const std::vector<std::uint8_t>& directions, double amount,
+                 bool both_ways);
+
   /// Keeps every tau in lower..upper from now on. 0 <= lower <= upper.
   void limit(double lower, double upper);
   double lower_limit() const { return lower_; }
@@ -79,6 +84,8 @@ class Trail {
   float& stored(std::size_t index, int direction);
   const float& stored(std::size_t index, int direction) const;
   float strength_of(float stored) const;
+  template <bool both_ways>
+  void reinforce_strengths(std::size_t index, const std::vector<std::uint8_t>& directions, float amount);
   void rescale();
   /// Multiplies every tau out, within the limits; the scale is 1 afterwards.
   void rewrite(double persistence = 1);

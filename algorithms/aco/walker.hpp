@@ -8,10 +8,12 @@
 // the last ant that stood there. Ants of a lane take the marks 1 to 255 in turn; only then are they wiped.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "algorithms/aco/choice.hpp"
 #include "algorithms/aco/dead_end.hpp"
 #include "algorithms/aco/nest.hpp"
 #include "algorithms/aco/trail.hpp"
@@ -49,17 +51,35 @@ class Walker {
 
   struct alignas(64) Lane {
     std::uint32_t cell = 0;
-    std::uint32_t length = 0;  // steps of the path
+    std::uint32_t behind = 0;   // the cell before, not marked yet
+    std::uint32_t further = 0;  // the cell before that, not marked yet
+    std::uint8_t mark = 0;
+    RecentSteps recent;
+    std::uint8_t* marks = nullptr;  // of padded index 0
+    std::uint8_t* next = nullptr;   // where the next direction of the path goes
     std::uint64_t decisions = 0;
     std::uint64_t pause = 0;  // decisions after which limits and clock are looked at
     Stream stream{0};
-    std::uint8_t mark = 0;
     std::size_t ant = 0;
     std::uint64_t pops = 0;
-    std::vector<std::uint8_t> marks;       // framed by `margin_` so that a row beyond the frame can be read
-    std::vector<std::uint8_t> directions;  // of the path; the first `length` count
+    std::vector<std::uint8_t> mark_bytes;  // framed, so that a row beyond the padded grid can be read
+    std::vector<std::uint8_t> directions;  // of the path
     std::vector<std::uint32_t> place;  // path length at which a cell was entered, from 1; loop erasure only
     std::vector<Step> popped;
+
+    std::size_t length() const { return static_cast<std::size_t>(next - directions.data()); }
+  };
+
+  // What does not change while lanes run: a copy on the stack, which no store can be suspected to alter.
+  struct Terms {
+    explicit Terms(const Ground& ground);
+
+    const TrailRow* rows;
+    std::array<std::int32_t, direction_count> offsets;
+    std::ptrdiff_t stride;
+    std::uint32_t goal;
+    float least_strength;
+    float q0;
   };
 
   enum class Outcome { goes_on, arrived, died };
@@ -67,19 +87,18 @@ class Walker {
   template <bool greedy, bool with_places>
   void run_lanes(std::size_t begin, std::size_t end);
   template <bool greedy, bool with_places>
-  Outcome step(Lane& lane) const;
-  template <bool with_places>
-  void enter(Lane& lane, int direction) const;
+  Outcome step(Lane& lane, const Terms& terms) const;
   void begin(Lane& lane, std::size_t ant) const;
   void finish(Lane& lane, bool arrived) const;
   bool may_go_on(Lane& lane) const;
+  /// Marks what is not marked yet.
+  static void settle(Lane& lane);
+  void move(Lane& lane, int direction) const;
   Outcome stuck(Lane& lane, std::uint64_t bits) const;
   Outcome back_up(Lane& lane) const;
   Outcome revisit(Lane& lane) const;
-  std::uint8_t* marks(Lane& lane) const { return lane.marks.data() + margin_; }
 
   const Ground& ground_;
-  std::size_t margin_;
   std::vector<Lane> lanes_;
   // of the current run
   const Stream* stream_ = nullptr;
