@@ -63,6 +63,7 @@ Answer Colony::run(Context& context) {
     harvest.count = charge(walked, meter);
     rule_.revise(*this, context, harvest.count);
     keep_best(harvest, meter);
+    count(harvest.count, meter);
     meter.end_iteration();
     rule_.learn(*this, harvest);
   }
@@ -119,6 +120,17 @@ std::size_t Colony::charge(std::size_t walked, Meter& meter) const {
     if (meter.checks_left() == 0) return i + 1;
   }
   return walked;
+}
+
+void Colony::count(std::size_t counted, Meter& meter) const {
+  std::uint64_t arrived = 0;
+  std::uint64_t pops = 0;
+  for (std::size_t i = 0; i < counted; ++i) {
+    arrived += walks_[i].arrived ? 1 : 0;
+    pops += walks_[i].pops;
+  }
+  meter.count("arrived", arrived);
+  meter.count("pops", pops);
 }
 
 void Colony::keep_best(Harvest& harvest, Meter& meter) {

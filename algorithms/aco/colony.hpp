@@ -51,6 +51,7 @@ class Colony {
   void make_walkers(const Executor& executor);
   std::size_t walk_all(Context& context, const Stream& stream);
   std::size_t charge(std::size_t walked, Meter& meter) const;
+  void count(std::size_t counted, Meter& meter) const;
   void keep_best(Harvest& harvest, Meter& meter);
   void keep_if_better(const Walk& walk, Harvest& harvest, Meter& meter);
   Walk strongest_trail() const;
