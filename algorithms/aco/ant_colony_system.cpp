@@ -45,20 +45,18 @@ class AntColonySystem final : public PheromoneRule {
     for (std::size_t k = 0; k < harvest.count; ++k) wear_off(colony, colony.walks()[k]);
     if (!colony.best().arrived) return;
     const double rho = settings_.evaporation;
-    const double gain = rho * amount(colony.best());
-    for_each_step(colony.nest(), colony.best(), [&](std::size_t index, int direction) {
-      colony.trail().change(index, direction, 1 - rho, gain, settings_.both_ways);
-    });
+    colony.change(colony.best(), 1 - rho, rho * amount(colony.best()));
   }
 
  private:
   void wear_off(Colony& colony, const Walk& walk) const {
     if (settings_.xi == 0) return;
-    const auto wear = [&](std::size_t index, int direction) {
-      colony.trail().change(index, direction, 1 - settings_.xi, settings_.xi * initial_, settings_.both_ways);
-    };
-    for_each_step(colony.nest(), walk, wear);
-    for (const Step step : walk.popped) wear(step.index, step.direction);
+    const double kept = 1 - settings_.xi;
+    const double gain = settings_.xi * initial_;
+    colony.change(walk, kept, gain);
+    for (const Step step : walk.popped) {
+      colony.trail().change(step.index, step.direction, kept, gain, settings_.both_ways);
+    }
   }
 
   const AntColonySystemSettings& settings_;

@@ -148,7 +148,11 @@ void Colony::keep_if_better(const Walk& walk, Harvest& harvest, Meter& meter) {
 }
 
 void Colony::deposit(const Walk& walk, double amount) {
-  trail_->reinforce(nest_.start(), walk.directions, amount, settings_.both_ways);
+  change(walk, 1, amount);
+}
+
+void Colony::change(const Walk& walk, double factor, double amount) {
+  trail_->change_along(nest_.start(), walk.directions, factor, amount, settings_.both_ways);
 }
 
 void Colony::close(std::size_t index) {

@@ -43,6 +43,8 @@ class Colony {
 
   /// Adds `amount` to each step of the walk's path.
   void deposit(const Walk& walk, double amount);
+  /// tau := factor * tau + amount on each step of the walk's path.
+  void change(const Walk& walk, double factor, double amount);
   /// Ants treat the cell as closed from the next iteration on. Start and goal stay open.
   void close(std::size_t index);
 

@@ -78,31 +78,34 @@ void Trail::change(std::size_t index, int direction, double factor, double amoun
   if (!stored_.empty()) rows_[index].strength[static_cast<std::size_t>(direction)] = strength_of(tau);
 }
 
-void Trail::reinforce(std::size_t index, const std::vector<std::uint8_t>& directions, double amount,
-                      bool both_ways) {
+void Trail::change_along(std::size_t index, const std::vector<std::uint8_t>& directions, double factor,
+                         double amount, bool both_ways) {
   if (stored_.empty()) {
-    const auto stored_amount = static_cast<float>(amount / scale_);
-    return both_ways ? reinforce_strengths<true>(index, directions, stored_amount)
-                     : reinforce_strengths<false>(index, directions, stored_amount);
+    return both_ways ? change_strengths<true>(index, directions, factor, amount)
+                     : change_strengths<false>(index, directions, factor, amount);
   }
   for (const std::uint8_t direction : directions) {
-    deposit(index, direction, amount, both_ways);
+    change(index, direction, factor, amount, both_ways);
     index = moves_.step(index, direction);
   }
 }
 
 // The hot form of `change`, for alpha = 1, where strength and stored tau are the same.
 template <bool both_ways>
-void Trail::reinforce_strengths(std::size_t index, const std::vector<std::uint8_t>& directions,
-                                float amount) {
+void Trail::change_strengths(std::size_t index, const std::vector<std::uint8_t>& directions, double factor,
+                             double amount) {
   const float least = least_;
   const float most = most_;
-  const auto raise = [=](float& tau) { tau = std::min(std::max(tau, least) + amount, most); };
+  const auto kept = static_cast<float>(factor);
+  const auto added = static_cast<float>(amount / scale_);
+  const auto change = [=](float& tau) {
+    tau = std::min(std::max(std::max(tau, least) * kept + added, least), most);
+  };
   TrailRow* row = &rows_[index];
   for (const std::uint8_t direction : directions) {
-    raise(row->strength[direction]);
+    change(row->strength[direction]);
     row += moves_.offset(direction);
-    if (both_ways) raise(row->strength[direction ^ 4U]);
+    if (both_ways) change(row->strength[direction ^ 4U]);
   }
 }
 

@@ -64,9 +64,9 @@ class Trail {
     change(index, direction, 1, amount, both_ways);
   }
 
-  /// Deposits `amount` on each step of a path from `index` on.
-  void reinforce(std::size_t index, const std::vector<std::uint8_t>& directions, double amount,
-                 bool both_ways);
+  /// `change` on each step of a path from `index` on.
+  void change_along(std::size_t index, const std::vector<std::uint8_t>& directions, double factor,
+                    double amount, bool both_ways);
 
   /// Keeps every tau in lower..upper from now on. 0 <= lower <= upper.
   void limit(double lower, double upper);
@@ -85,7 +85,8 @@ class Trail {
   const float& stored(std::size_t index, int direction) const;
   float strength_of(float stored) const;
   template <bool both_ways>
-  void reinforce_strengths(std::size_t index, const std::vector<std::uint8_t>& directions, float amount);
+  void change_strengths(std::size_t index, const std::vector<std::uint8_t>& directions, double factor,
+                        double amount);
   void rescale();
   /// Multiplies every tau out, within the limits; the scale is 1 afterwards.
   void rewrite(double persistence = 1);
