@@ -60,10 +60,10 @@ class RecentSteps {
   using Directions = std::array<std::uint8_t, direction_count>;
 
   static constexpr std::array<Directions, 144> make_table() {
-    std::array<Directions, 144> table{};
+    std::array<Directions, 144> all{};
     for (unsigned last = 0; last < none; ++last) {
       for (unsigned before = 0; before <= none; ++before) {
-        Directions& closed = table[last << 4 | before];
+        Directions& closed = all[last << 4 | before];
         const Cell back = {-directions[last].x, -directions[last].y};
         closed[last ^ 4U] = 255;
         if (before == none) continue;
@@ -73,7 +73,7 @@ class RecentSteps {
         }
       }
     }
-    return table;
+    return all;
   }
   static const std::array<Directions, 144> table;
 
