@@ -38,7 +38,13 @@ Trail::Trail(const MoveTable& moves, double initial, double alpha, double beta, 
       rows_(moves.size(), TrailRow{}) {
   if (alpha != 1) stored_.resize(moves.size(), Stored{});
   for (std::size_t index = 0; index < moves.size(); ++index) {
-    if (moves[index] != 0) rows_[index].desirability = desirabilities(moves[index], index, beta, eta);
+    if (moves[index] == 0) continue;
+    rows_[index].desirability = desirabilities(moves[index], index, beta, eta);
+    for (int d = 0; d < direction_count; ++d) {
+      if ((moves[index] >> d & 1) == 0) continue;
+      least_desirability_ =
+          std::min(least_desirability_, rows_[index].desirability[static_cast<std::size_t>(d)]);
+    }
   }
   reset(initial);
 }
@@ -142,13 +148,12 @@ void Trail::rescale() {
 
 void Trail::rewrite(double persistence) {
   const auto factor = static_cast<float>(scale_ * persistence);
-  const float before = least_;
   scale_ = 1;
   rescale();
   for (std::size_t index = 0; index < rows_.size(); ++index) {
     for (int d = 0; d < direction_count; ++d) {
       float& tau = stored(index, d);
-      tau = std::min(std::max(std::max(tau, before) * factor, least_), most_);
+      tau = std::min(std::max(tau * factor, least_), most_);
     }
   }
   rewrite_strengths();

@@ -45,6 +45,9 @@ class Trail {
   /// What an ant weighs the step with, up to a factor of the row; 0 for closed steps.
   float weight(std::size_t index, int direction) const;
 
+  /// True when every open step has a weight: no product of strength and desirability underflows.
+  bool every_step_weighs() const { return least_strength_ * least_desirability_ > 0; }
+
   double pheromone(std::size_t index, int direction) const;
   /// tau := value, within the limits.
   void set(std::size_t index, int direction, double value);
@@ -101,7 +104,8 @@ class Trail {
   float least_ = 0;  // lower_ / scale_
   float most_ = 0;   // upper_ / scale_
   float least_strength_ = 0;
-  float unit_ = 1;  // stored tau whose strength is 1, when alpha is not 1
+  float least_desirability_ = 1;  // of legal steps
+  float unit_ = 1;                // stored tau whose strength is 1, when alpha is not 1
   std::vector<TrailRow> rows_;
   std::vector<Stored> stored_;  // tau / scale, when alpha is not 1; else the strengths themselves
 };

@@ -142,14 +142,19 @@ void Walker::move(Lane& lane, int direction) const {
   settle(lane);
 }
 
-// No step has a weight. Where steps are left whose weights have underflown, no preference is left among them.
-Walker::Outcome Walker::stuck(Lane& lane, std::uint64_t bits) const {
-  settle(lane);
-  unsigned fresh = 0;
+unsigned Walker::unvisited(const Lane& lane) const {
+  unsigned mask = 0;
   for (int d = 0; d < direction_count; ++d) {
     const bool open = (ground_.nest.open(lane.cell) >> d & 1) != 0;
-    if (open && lane.marks[ground_.nest.moves().step(lane.cell, d)] != lane.mark) fresh |= 1U << d;
+    if (open && lane.marks[ground_.nest.moves().step(lane.cell, d)] != lane.mark) mask |= 1U << d;
   }
+  return mask;
+}
+
+// No step has a weight. Where steps are left whose weights have underflown, no preference is left among them.
+Walker::Outcome Walker::stuck(Lane& lane, std::uint64_t bits) const {
+  if (lane.behind != lane.cell) settle(lane);
+  const unsigned fresh = ground_.trail.every_step_weighs() ? 0 : unvisited(lane);
   if (fresh != 0) {
     move(lane, uniform_choice(fresh, lower_uniform(bits)));
     return lane.cell == ground_.nest.goal() ? Outcome::arrived : Outcome::goes_on;
@@ -166,7 +171,7 @@ Walker::Outcome Walker::back_up(Lane& lane) const {
   if (lane.length() == 0) return Outcome::died;  // all that can be reached has been seen
   const std::uint8_t direction = *--lane.next;
   lane.cell = static_cast<std::uint32_t>(ground_.nest.moves().step(lane.cell, opposite(direction)));
-  settle(lane);
+  lane.behind = lane.further = lane.cell;  // marked long ago, like all of the path
   ++lane.pops;
   if (ground_.keep_popped) lane.popped.push_back({lane.cell, direction});
   return Outcome::goes_on;

@@ -94,6 +94,8 @@ class Walker {
   /// Marks what is not marked yet.
   static void settle(Lane& lane);
   void move(Lane& lane, int direction) const;
+  /// Bit d is set when the step is open and leads to a cell the ant has not been on. The lane is settled.
+  unsigned unvisited(const Lane& lane) const;
   Outcome stuck(Lane& lane, std::uint64_t bits) const;
   Outcome back_up(Lane& lane) const;
   Outcome revisit(Lane& lane) const;
