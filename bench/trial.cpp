@@ -82,6 +82,7 @@ TrialRecord run_trial(const Entrant& entrant, const Scenario& scenario, const Re
   call_planner(entrant, scenario, context, record);
   record.work = meter.work();
   record.trace = meter.trace();
+  record.counters = meter.counters();
   record.timed = meter.timed();
   record.costs.threads_used = executor.threads_used();
   judge(entrant, scenario, referee, meter, record);

@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "core/hash.hpp"
+#include "results/counters_text.hpp"
 #include "scenarios/movingai/folder.hpp"
 
 namespace pathrace::bench {
@@ -63,6 +64,7 @@ std::string first_difference(const TrialRow& stored, const TrialRow& rerun) {
   compare("checks", stored.work.checks, rerun.work.checks);
   compare("path", stored.answer ? results::print_points(*stored.answer) : "",
           rerun.answer ? results::print_points(*rerun.answer) : "");
+  compare("counters", results::print_counters(stored.counters), results::print_counters(rerun.counters));
   compare("digest", hex(stored.digest), hex(rerun.digest));
   return found;
 }
@@ -84,6 +86,7 @@ std::uint64_t fingerprint(const TrialRow& row) {
     add(*metric);
   }
   add(row.turns);
+  hasher.add(std::string_view(results::print_counters(row.counters)));
   return hasher.add(row.digest).add(results::recomputed_digest(row)).value();
 }
 

@@ -40,6 +40,15 @@ void Meter::improved(double cost) {
   if (cost < best) trace_.push_back({work_, elapsed_s(), cost});
 }
 
+void Meter::count(std::string_view name, std::uint64_t amount) {
+  for (Counter& counter : counters_) {
+    if (counter.name != name) continue;
+    counter.value += amount;
+    return;
+  }
+  counters_.push_back({std::string(name), amount});
+}
+
 double Meter::elapsed_s() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
 }

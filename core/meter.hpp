@@ -10,6 +10,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/budget.hpp"
@@ -29,6 +31,14 @@ struct TracePoint {
   Work work;
   double wall_s = 0;
   double cost = 0;
+};
+
+/// Something a planner counted beside its work, such as ants that arrived.
+struct Counter {
+  std::string name;  ///< lower-case letters, digits and underscores
+  std::uint64_t value = 0;
+
+  friend bool operator==(const Counter&, const Counter&) = default;
 };
 
 class Meter {
@@ -54,12 +64,18 @@ class Meter {
   /// Records the cost when it is finite and below every cost before; the trace strictly falls.
   void improved(double cost);
 
+  /// Adds to the counter of this name, which starts at 0 when it is first named. Part of the record, not of
+  /// the budget nor of the digest.
+  void count(std::string_view name, std::uint64_t amount);
+
   /// The planner has nothing left to try: an empty answer is then its last word, not a spent budget.
   void conclude() { concluded_ = true; }
   bool concluded() const { return concluded_; }
 
   const Work& work() const { return work_; }
   const std::vector<TracePoint>& trace() const { return trace_; }
+  /// In the order in which they were first named.
+  const std::vector<Counter>& counters() const { return counters_; }
   bool timed() const { return timed_.load(std::memory_order_relaxed); }
   /// True when a limit on work or time has been reached, without reading the clock.
   bool spent() const;
@@ -76,6 +92,7 @@ class Meter {
   Budget budget_;
   Work work_;
   std::vector<TracePoint> trace_;
+  std::vector<Counter> counters_;
   bool concluded_ = false;
   std::chrono::steady_clock::time_point begin_;
   mutable std::atomic<bool> timed_{false};

@@ -76,11 +76,12 @@ struct TrialRecord {
   std::optional<PathMetrics> metrics;  ///< of a solved trial
   Work work;
   std::vector<TracePoint> trace;
+  std::vector<Counter> counters;  ///< what the planner counted beside its work
   bool timed = false;  ///< cut short by a wall-time limit: outside digests
   Costs costs;
 };
 
-/// Hash of verdict, path, work and trace without its times. Neither key nor costs are in it.
+/// Hash of verdict, path, work and trace without its times. Neither key, counters nor costs are in it.
 std::uint64_t digest(const TrialRecord& record);
 
 /// One trial's part in a campaign's digest.

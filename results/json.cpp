@@ -51,6 +51,8 @@ Json object_of(const TrialRow& row, const Scenario& scenario) {
   object["threads_used"] = row.costs.threads_used;
   object["wall_s"] = row.costs.wall_s;
   object["note"] = row.note.empty() ? Json(nullptr) : Json(row.note);
+  object["counters"] = Json::object();
+  for (const Counter& counter : row.counters) object["counters"][counter.name] = counter.value;
   return object;
 }
 

@@ -53,6 +53,7 @@ TrialRow make_row(const TrialKey& key, const Scenario& scenario, const Entrant& 
   row.costs = record.costs;
   row.answer = record.answer;
   row.trace = record.trace;
+  row.counters = record.counters;
   return row;
 }
 

@@ -39,6 +39,7 @@ struct TrialRow {
   Costs costs;
   Answer answer;  ///< the path itself
   std::vector<TracePoint> trace;
+  std::vector<Counter> counters;
 };
 
 TrialRow make_row(const TrialKey& key, const Scenario& scenario, const Entrant& entrant, const Budget& budget,

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "results/columns.hpp"
+#include "results/counters_text.hpp"
 #include "results/number_text.hpp"
 #include "results/trace_text.hpp"
 
@@ -53,6 +54,7 @@ void read_answer_columns(Columns& columns, TrialRow& row) {
     row.answer->points = columns.parsed(parse_points);
   }
   row.trace = columns.parsed(parse_trace);
+  row.counters = columns.parsed(parse_counters);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "core/hash.hpp"
 #include "results/binder.hpp"
+#include "results/counters_text.hpp"
 #include "results/number_text.hpp"
 #include "results/trace_text.hpp"
 
@@ -67,7 +68,8 @@ RowWriter::RowWriter(SQLite::Database& database)
           "turns, turn_angle, clearance_min, clearance_mean, evaluations, iterations, checks, "
           "digest, timed, wall_s, setup_s, backend, threads, threads_used, crowded) "
           "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
-      insert_answer_(database, "INSERT INTO answer (trial, path_track, path, trace) VALUES (?, ?, ?, ?)") {}
+      insert_answer_(
+          database, "INSERT INTO answer (trial, path_track, path, trace, counters) VALUES (?, ?, ?, ?, ?)") {}
 
 void RowWriter::write(const TrialRow& row) {
   write_trial(row);
@@ -124,6 +126,7 @@ void RowWriter::write_trial(const TrialRow& row) {
 void RowWriter::write_answer(const TrialRow& row) {
   const std::string path = row.answer ? print_points(*row.answer) : "";
   const std::string trace = print_trace(row.trace);
+  const std::string counters = print_counters(row.counters);
   Binder binder(insert_answer_);
   binder.integer(database_.getLastInsertRowid());
   if (row.answer) {
@@ -131,7 +134,7 @@ void RowWriter::write_answer(const TrialRow& row) {
   } else {
     binder.null().null();
   }
-  binder.text(trace);
+  binder.text(trace).text(counters);
   insert_answer_.exec();
 }
 

@@ -32,7 +32,8 @@ CREATE TABLE trial (
   wall_s NOT NULL, setup_s NOT NULL, backend TEXT NOT NULL, threads INTEGER NOT NULL,
   threads_used INTEGER NOT NULL, crowded INTEGER NOT NULL);
 CREATE TABLE answer (
-  trial INTEGER PRIMARY KEY REFERENCES trial (number), path_track TEXT, path TEXT, trace TEXT NOT NULL);
+  trial INTEGER PRIMARY KEY REFERENCES trial (number), path_track TEXT, path TEXT, trace TEXT NOT NULL,
+  counters TEXT NOT NULL);
 )";
 
 constexpr const char* slim_columns =
@@ -63,7 +64,8 @@ std::string select_slim() {
 
 std::string select_full() {
   return fmt::format(
-      "SELECT {}, a.path_track AS path_track, a.path AS path, a.trace AS trace FROM {} "
+      "SELECT {}, a.path_track AS path_track, a.path AS path, a.trace AS trace, a.counters AS counters FROM "
+      "{} "
       "LEFT JOIN answer AS a ON a.trial = t.number ORDER BY t.number",
       slim_columns, joined);
 }

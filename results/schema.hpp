@@ -1,4 +1,4 @@
-// The tables of a store, schema version 2.
+// The tables of a store, schema version 3.
 //
 // meta      name and value: campaign, toml, hash, seed, trials
 // scenario  what trials share about their question
@@ -6,7 +6,7 @@
 // feature   name and value of a scenario's features, in long form: a new feature needs no new column
 // planner   what trials share about their player, its budget included
 // trial     one slim row per trial; `number` counts in order of insertion
-// answer    the path and the anytime trace of a trial, as text
+// answer    the path, the anytime trace and the counters of a trial, as text
 // trials    a view that joins scenario, planner and trial into the columns of trials.csv
 // features  a view of the features under the scenarios' ids
 //
@@ -21,14 +21,14 @@
 namespace pathrace::results {
 
 inline constexpr std::int32_t application_id = 0x70617468;  // "path", in the file's header
-inline constexpr int schema_version = 2;
+inline constexpr int schema_version = 3;
 
 /// All statements that make an empty store, its numbers in the header included.
 std::string schema();
 
 /// Every trial in order of insertion, with the columns of the view `trials`.
 std::string select_slim();
-/// The same, followed by the columns `path_track`, `path` and `trace`.
+/// The same, followed by the columns `path_track`, `path`, `trace` and `counters`.
 std::string select_full();
 /// The columns `key`, `digest` and `timed` alone.
 std::string select_digests();

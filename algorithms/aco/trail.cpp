@@ -1,13 +1,20 @@
 #include "algorithms/aco/trail.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "algorithms/aco/power.hpp"
 
 namespace pathrace::algorithms {
 namespace {
 
-Trail::Row desirabilities(unsigned mask, std::size_t index, double beta, const Trail::Heuristic& eta) {
+// Strengths stay between these, so that eight of them have a finite sum and none is lost.
+constexpr float weakest = 0x1p-100F;
+constexpr float strongest = 0x1p100F;
+constexpr float largest_stored = 0x1p120F;
+
+std::array<float, direction_count> desirabilities(unsigned mask, std::size_t index, double beta,
+                                                  const Trail::Heuristic& eta) {
   std::array<double, direction_count> value{};
   double largest = 0;
   for (int d = 0; d < direction_count; ++d) {
@@ -15,7 +22,7 @@ Trail::Row desirabilities(unsigned mask, std::size_t index, double beta, const T
     value[static_cast<std::size_t>(d)] = eta(index, d);
     largest = std::max(largest, value[static_cast<std::size_t>(d)]);
   }
-  Trail::Row row{};
+  std::array<float, direction_count> row{};
   for (std::size_t d = 0; d < direction_count; ++d) {
     if ((mask >> d & 1U) != 0) row[d] = static_cast<float>(power(value[d] / largest, beta));
   }
@@ -27,47 +34,140 @@ Trail::Row desirabilities(unsigned mask, std::size_t index, double beta, const T
 Trail::Trail(const MoveTable& moves, double initial, double alpha, double beta, const Heuristic& eta)
     : moves_(moves),
       alpha_(alpha),
-      pheromone_(moves.size()),
-      desirability_(moves.size()),
-      weight_(moves.size()) {
+      smallest_scale_(std::ldexp(1.0, -static_cast<int>(40 / std::max(1.0, alpha)))),
+      rows_(moves.size(), TrailRow{}) {
+  if (alpha != 1) stored_.resize(moves.size(), Stored{});
   for (std::size_t index = 0; index < moves.size(); ++index) {
     if (moves[index] == 0) continue;
-    pheromone_[index].fill(static_cast<float>(initial));
-    desirability_[index] = desirabilities(moves[index], index, beta, eta);
-  }
-  refresh();
-}
-
-void Trail::evaporate(double persistence, double floor) {
-  const auto factor = static_cast<float>(persistence);
-  const auto least = static_cast<float>(floor);
-  for (Row& row : pheromone_) {
-    for (float& tau : row) tau = std::max(tau * factor, least);
-  }
-}
-
-void Trail::deposit(std::size_t index, int direction, double amount, bool both_ways) {
-  const auto dtau = static_cast<float>(amount);
-  pheromone_[index][static_cast<std::size_t>(direction)] += dtau;
-  if (both_ways) {
-    pheromone_[moves_.step(index, direction)][static_cast<std::size_t>(opposite(direction))] += dtau;
-  }
-}
-
-void Trail::refresh() {
-  if (alpha_ == 1) {
-    for (std::size_t index = 0; index < weight_.size(); ++index) {
-      for (std::size_t d = 0; d < direction_count; ++d) {
-        weight_[index][d] = pheromone_[index][d] * desirability_[index][d];
-      }
+    rows_[index].desirability = desirabilities(moves[index], index, beta, eta);
+    for (int d = 0; d < direction_count; ++d) {
+      if ((moves[index] >> d & 1) == 0) continue;
+      least_desirability_ =
+          std::min(least_desirability_, rows_[index].desirability[static_cast<std::size_t>(d)]);
     }
-    return;
   }
-  for (std::size_t index = 0; index < weight_.size(); ++index) {
-    if (moves_[index] == 0) continue;
+  reset(initial);
+}
+
+float& Trail::stored(std::size_t index, int direction) {
+  const auto d = static_cast<std::size_t>(direction);
+  return stored_.empty() ? rows_[index].strength[d] : stored_[index][d];
+}
+
+const float& Trail::stored(std::size_t index, int direction) const {
+  const auto d = static_cast<std::size_t>(direction);
+  return stored_.empty() ? rows_[index].strength[d] : stored_[index][d];
+}
+
+float Trail::strength_of(float stored) const {
+  const auto strength = static_cast<float>(power(stored / unit_, alpha_));
+  return std::min(std::max(strength, weakest), strongest);
+}
+
+float Trail::weight(std::size_t index, int direction) const {
+  const auto d = static_cast<std::size_t>(direction);
+  return std::max(rows_[index].strength[d], least_strength_) * rows_[index].desirability[d];
+}
+
+double Trail::pheromone(std::size_t index, int direction) const {
+  return scale_ * double{std::max(stored(index, direction), least_)};
+}
+
+void Trail::set(std::size_t index, int direction, double value) {
+  change(index, direction, 0, value);
+}
+
+void Trail::change(std::size_t index, int direction, double factor, double amount) {
+  float& tau = stored(index, direction);
+  const float kept = std::max(tau, least_) * static_cast<float>(factor);
+  tau = std::min(std::max(kept + static_cast<float>(amount / scale_), least_), most_);
+  if (!stored_.empty()) rows_[index].strength[static_cast<std::size_t>(direction)] = strength_of(tau);
+}
+
+void Trail::change_along(std::size_t index, const std::vector<std::uint8_t>& directions, double factor,
+                         double amount, bool both_ways) {
+  if (stored_.empty()) {
+    return both_ways ? change_strengths<true>(index, directions, factor, amount)
+                     : change_strengths<false>(index, directions, factor, amount);
+  }
+  for (const std::uint8_t direction : directions) {
+    change(index, direction, factor, amount, both_ways);
+    index = moves_.step(index, direction);
+  }
+}
+
+// The hot form of `change`, for alpha = 1, where strength and stored tau are the same.
+template <bool both_ways>
+void Trail::change_strengths(std::size_t index, const std::vector<std::uint8_t>& directions, double factor,
+                             double amount) {
+  const float least = least_;
+  const float most = most_;
+  const auto kept = static_cast<float>(factor);
+  const auto added = static_cast<float>(amount / scale_);
+  const auto change = [=](float& tau) {
+    tau = std::min(std::max(std::max(tau, least) * kept + added, least), most);
+  };
+  TrailRow* row = &rows_[index];
+  for (const std::uint8_t direction : directions) {
+    change(row->strength[direction]);
+    row += moves_.offset(direction);
+    if (both_ways) change(row->strength[direction ^ 4U]);
+  }
+}
+
+void Trail::reset(double value) {
+  scale_ = 1;
+  rescale();
+  const float tau = std::min(std::max(static_cast<float>(value), least_), most_);
+  for (std::size_t index = 0; index < rows_.size(); ++index) {
+    for (int d = 0; d < direction_count; ++d) stored(index, d) = tau;
+  }
+  rewrite_strengths();
+}
+
+void Trail::evaporate(double persistence) {
+  if (scale_ * persistence < smallest_scale_) return rewrite(persistence);
+  scale_ *= persistence;
+  rescale();
+}
+
+void Trail::limit(double lower, double upper) {
+  const bool less_room_above = upper < upper_;
+  if (less_room_above || lower < lower_) rewrite();  // what has stood at the old limits stays there
+  lower_ = lower;
+  upper_ = upper;
+  rescale();
+  if (less_room_above) rewrite();
+}
+
+void Trail::rescale() {
+  least_ = static_cast<float>(lower_ / scale_);
+  most_ = std::min(static_cast<float>(upper_ / scale_), largest_stored);
+  least_strength_ = stored_.empty() ? least_ : strength_of(least_);
+}
+
+void Trail::rewrite(double persistence) {
+  const auto factor = static_cast<float>(scale_ * persistence);
+  scale_ = 1;
+  rescale();
+  for (std::size_t index = 0; index < rows_.size(); ++index) {
+    for (int d = 0; d < direction_count; ++d) {
+      float& tau = stored(index, d);
+      tau = std::min(std::max(tau * factor, least_), most_);
+    }
+  }
+  rewrite_strengths();
+}
+
+void Trail::rewrite_strengths() {
+  if (stored_.empty()) return;
+  float largest = 0;
+  for (const Stored& row : stored_) largest = std::max(largest, *std::max_element(row.begin(), row.end()));
+  unit_ = largest > 0 ? largest : 1;
+  rescale();
+  for (std::size_t index = 0; index < rows_.size(); ++index) {
     for (std::size_t d = 0; d < direction_count; ++d) {
-      const double tau = power(pheromone_[index][d], alpha_);
-      weight_[index][d] = static_cast<float>(tau * desirability_[index][d]);
+      rows_[index].strength[d] = strength_of(stored_[index][d]);
     }
   }
 }

@@ -1,47 +1,113 @@
-// The pheromone trail of a grid, and the choice weights that ants read.
+// The pheromone trail of a grid, and what ants read of it.
 //
-// Eight floats per padded cell, one per direction, in rows of 32 bytes. Three arrays of that shape: pheromone
-// tau, desirability eta^beta (0 where the step is illegal), and their product, the weight of eq. (1).
-// Desirabilities are divided by the largest eta of their row first: probabilities stay the same, and beta =
-// 20 on a 512 x 512 map does not underflow.
+// One cache line per padded cell: eight strengths tau^alpha and eight desirabilities eta^beta, one per
+// direction. The weight of eq. (1) is their product, made while an ant chooses, so that a deposit touches one
+// float and nothing has to be refreshed. Desirabilities are 0 where a step is closed and are divided by the
+// largest eta of their row first: probabilities stay the same, and beta = 20 on a large map does not
+// underflow.
+//
+// Evaporation is a factor of the whole trail, which leaves eq. (1) as it is: tau = scale * stored. So an
+// iteration costs what its ants touch, not the map. The lower limit is exact all the same: a step that
+// nobody touches only decays, so its tau is the larger of what is stored and the limit, whenever it is read.
+// What would break that (an upper limit or a lower one that falls, a scale too small for floats) rewrites
+// the whole trail; it is rare.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "core/moves.hpp"
 
 namespace pathrace::algorithms {
 
+/// What an ant reads at a cell.
+struct alignas(64) TrailRow {
+  std::array<float, direction_count> strength;      ///< (stored tau)^alpha, below the limit perhaps
+  std::array<float, direction_count> desirability;  ///< (eta / largest eta)^beta, 0 for closed steps
+};
+
 class Trail {
  public:
-  using Row = std::array<float, direction_count>;
   /// eta of the step in `direction` from the cell with this padded index; positive.
   using Heuristic = std::function<double(std::size_t index, int direction)>;
 
+  static constexpr double no_limit = std::numeric_limits<double>::infinity();
+
   Trail(const MoveTable& moves, double initial, double alpha, double beta, const Heuristic& eta);
 
-  /// Weights tau^alpha * eta^beta of the steps from a cell, up to a factor of the row; 0 for illegal steps.
-  const float* weights(std::size_t index) const { return weight_[index].data(); }
-  float pheromone(std::size_t index, int direction) const {
-    return pheromone_[index][static_cast<std::size_t>(direction)];
+  const TrailRow* rows() const { return rows_.data(); }
+  /// The least strength that counts: the lower limit in the units of TrailRow::strength.
+  float least_strength() const { return least_strength_; }
+  /// What an ant weighs the step with, up to a factor of the row; 0 for closed steps.
+  float weight(std::size_t index, int direction) const;
+
+  /// True when every open step has a weight: no product of strength and desirability underflows.
+  bool every_step_weighs() const { return least_strength_ * least_desirability_ > 0; }
+
+  double pheromone(std::size_t index, int direction) const;
+  /// tau := value, within the limits.
+  void set(std::size_t index, int direction, double value);
+  /// tau := value on every step, within the limits.
+  void reset(double value);
+
+  /// tau := max(persistence * tau, lower limit) on every step.
+  void evaporate(double persistence);
+  /// tau := factor * tau + amount on one step, within the limits. factor >= 0.
+  void change(std::size_t index, int direction, double factor, double amount);
+  /// The same, on the step back too when `both_ways`.
+  void change(std::size_t index, int direction, double factor, double amount, bool both_ways) {
+    change(index, direction, factor, amount);
+    if (both_ways) change(moves_.step(index, direction), opposite(direction), factor, amount);
+  }
+  void deposit(std::size_t index, int direction, double amount, bool both_ways) {
+    change(index, direction, 1, amount, both_ways);
   }
 
-  /// tau := max(persistence * tau, floor) on every step.
-  void evaporate(double persistence, double floor);
-  /// tau += amount on the step, and on the step back when `both_ways`.
-  void deposit(std::size_t index, int direction, double amount, bool both_ways);
-  /// Brings the weights up to date with the pheromone.
-  void refresh();
+  /// `change` on each step of a path from `index` on.
+  void change_along(std::size_t index, const std::vector<std::uint8_t>& directions, double factor,
+                    double amount, bool both_ways);
+
+  /// Keeps every tau in lower..upper from now on. 0 <= lower <= upper.
+  void limit(double lower, double upper);
+  double lower_limit() const { return lower_; }
+  double upper_limit() const { return upper_; }
+
+  /// No ant takes this step any more.
+  void close(std::size_t index, int direction) {
+    rows_[index].desirability[static_cast<std::size_t>(direction)] = 0;
+  }
 
  private:
+  using Stored = std::array<float, direction_count>;
+
+  float& stored(std::size_t index, int direction);
+  const float& stored(std::size_t index, int direction) const;
+  float strength_of(float stored) const;
+  template <bool both_ways>
+  void change_strengths(std::size_t index, const std::vector<std::uint8_t>& directions, double factor,
+                        double amount);
+  void rescale();
+  /// Multiplies every tau out, within the limits; the scale is 1 afterwards.
+  void rewrite(double persistence = 1);
+  void rewrite_strengths();
+
   const MoveTable& moves_;
   double alpha_;
-  std::vector<Row> pheromone_;
-  std::vector<Row> desirability_;
-  std::vector<Row> weight_;
+  double scale_ = 1;
+  double smallest_scale_;
+  double lower_ = 0;
+  double upper_ = no_limit;
+  float least_ = 0;  // lower_ / scale_
+  float most_ = 0;   // upper_ / scale_
+  float least_strength_ = 0;
+  float least_desirability_ = 1;  // of legal steps
+  float unit_ = 1;                // stored tau whose strength is 1, when alpha is not 1
+  std::vector<TrailRow> rows_;
+  std::vector<Stored> stored_;  // tau / scale, when alpha is not 1; else the strengths themselves
 };
 
 }  // namespace pathrace::algorithms

@@ -32,7 +32,7 @@ TEST(Json, HasTheAgreedKeysInTheirOrder) {
   std::vector<std::string> keys = {"scenario",    "planner",      "verdict", "track",  "rule",
                                    "length",      "optimum",      "gap",     "turns",  "cells",
                                    "evaluations", "iterations",   "checks",  "digest", "backend",
-                                   "threads",     "threads_used", "wall_s",  "note"};
+                                   "threads",     "threads_used", "wall_s",  "note",   "counters"};
   EXPECT_EQ(keys_of(Json::parse(to_json(row, some_scenario()))), keys);
   row.track = Track::any_angle;
   keys[9] = "points";
@@ -80,11 +80,13 @@ TEST(Json, HasNullWhereThereIsNoValue) {
   TrialRow row = failed_row(1, "a", "trap-u/20/1");
   row.optimum = std::nullopt;
   row.note = "evaluations are spent";
+  row.counters = {{"arrived", 12}, {"pops", 3}};
   const Json object = Json::parse(to_json(row, some_scenario()));
   for (const char* key : {"length", "optimum", "gap", "turns", "cells"})
     EXPECT_TRUE(object[key].is_null()) << key;
   EXPECT_EQ(object["verdict"], "budget");
   EXPECT_EQ(object["note"], "evaluations are spent");
+  EXPECT_EQ(object["counters"], Json::parse(R"({"arrived": 12, "pops": 3})"));
 }
 
 TEST(Json, OfAnEmptyPathIsAnEmptyListAndNotNull) {

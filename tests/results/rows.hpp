@@ -100,6 +100,7 @@ inline std::vector<TrialRow> strange_rows() {
                          {Limits::infinity(), -Limits::infinity()},
                          {Limits::quiet_NaN(), std::bit_cast<double>(0xFFF8000000000123U)}}};
   numbers.trace = {{{1, 2, 3}, 0.1, Limits::infinity()}, {{4, 5, 6}, 1e-9, 28.627416997969522}};
+  numbers.counters = {{"arrived", std::numeric_limits<std::uint64_t>::max()}, {"pops", 0}};
   numbers.digest = 0x0000000000000001U;
   numbers.timed = true;
   rows.push_back(numbers);
@@ -173,6 +174,7 @@ inline void expect_same(const TrialRow& a, const TrialRow& b) {
   }
   ASSERT_EQ(a.trace.size(), b.trace.size());
   for (std::size_t i = 0; i < a.trace.size(); ++i) EXPECT_EQ(bits(a.trace[i]), bits(b.trace[i]));
+  EXPECT_EQ(a.counters, b.counters);
 }
 
 inline std::vector<TrialRow> all_rows(const Store& store) {

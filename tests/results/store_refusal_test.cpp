@@ -242,6 +242,9 @@ TEST(StoreRead, NamesTheRowAndTheColumnThatCannotBeRead) {
       {"UPDATE answer SET trace = '1,2,3' WHERE trial = 2", "trace"},
       {"UPDATE answer SET trace = '1,2,3,0.1,2,5' WHERE trial = 2", "trace"},
       {"UPDATE answer SET trace = '1,2,-3,0.1,2' WHERE trial = 2", "trace"},
+      {"UPDATE answer SET counters = 'arrived' WHERE trial = 2", "counters"},
+      {"UPDATE answer SET counters = 'arrived=-1' WHERE trial = 2", "counters"},
+      {"UPDATE answer SET counters = '=1' WHERE trial = 2", "counters"},
       {"DELETE FROM answer WHERE trial = 2", "trace"},
   };
   for (const Damage& damage : damages) {

@@ -51,7 +51,8 @@ inline std::vector<std::string> calls_under_test() {
   for (const PlannerCard& card : bench::roster().cards()) calls.push_back(card.name);
   calls.insert(calls.end(),
                {"as:dead_end=backtrack", "as:dead_end=revisit_with_loop_erasure",
-                "as:heuristic=inv_step,beta=2.5,alpha=1.5", "as:answer=argmax_pheromone,both_ways=false"});
+                "as:heuristic=inv_step,beta=2.5,alpha=1.5", "as:answer=argmax_pheromone,both_ways=false",
+                "acs:dead_end=backtrack", "mmas:dead_end=backtrack,evaporation=0.5,restart_after=1"});
   return calls;
 }
 

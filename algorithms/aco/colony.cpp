@@ -1,0 +1,196 @@
+#include "algorithms/aco/colony.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "algorithms/aco/scout.hpp"
+
+namespace pathrace::algorithms {
+namespace {
+
+Trail::Heuristic heuristic(const ColonySettings& settings, const Nest& nest) {
+  if (settings.heuristic == AntHeuristic::inv_step) {
+    return [](std::size_t, int direction) { return is_diagonal(direction) ? 1 / std::numbers::sqrt2 : 1.0; };
+  }
+  const Cell goal = nest.cell(nest.goal());
+  return [&settings, &nest, goal](std::size_t index, int direction) {
+    const Cell cell = nest.cell(nest.moves().step(index, direction));
+    if (cell == goal) return settings.goal_attraction;
+    const double dx = cell.x - goal.x;
+    const double dy = cell.y - goal.y;
+    return 1 / std::sqrt(dx * dx + dy * dy);
+  };
+}
+
+std::uint64_t max_steps(const ColonySettings& settings, const Nest& nest) {
+  if (settings.max_steps > 0) return static_cast<std::uint64_t>(settings.max_steps);
+  return 20 * static_cast<std::uint64_t>(nest.free_cells());
+}
+
+}  // namespace
+
+void PheromoneRule::begin(Colony& colony) {
+  colony.trail().limit(settings_.pheromone_floor, Trail::no_limit);
+}
+
+void PheromoneRule::deposit_all(Colony& colony, std::size_t count) const {
+  for (std::size_t k = 0; k < count; ++k) {
+    if (colony.walks()[k].arrived) colony.deposit(colony.walks()[k], amount(colony.walks()[k]));
+  }
+}
+
+Colony::Colony(PheromoneRule& rule, const Problem& problem)
+    : rule_(rule),
+      settings_(rule.settings()),
+      problem_(problem),
+      nest_(problem),
+      walks_(static_cast<std::size_t>(settings_.ants)) {
+  trail_.emplace(nest_.moves(), 1.0, settings_.alpha, settings_.beta, heuristic(settings_, nest_));
+  ground_.emplace(Ground{nest_, *trail_, settings_.dead_end, rule.q0(), max_steps(settings_, nest_),
+                         rule.keeps_the_dead(), rule.keeps_popped()});
+}
+
+Answer Colony::run(Context& context) {
+  Meter& meter = context.meter;
+  if (!lay_trail(meter)) return std::nullopt;
+  rule_.begin(*this);
+  make_walkers(context.executor);
+  for (std::uint64_t iteration = 0; !meter.exhausted(); ++iteration) {
+    const std::size_t walked = walk_all(context, context.stream.fork(iteration));
+    Harvest harvest;
+    harvest.iteration = iteration;
+    harvest.count = charge(walked, meter);
+    rule_.revise(*this, context, harvest.count);
+    keep_best(harvest, meter);
+    count(harvest.count, meter);
+    meter.end_iteration();
+    rule_.learn(*this, harvest);
+  }
+  const Walk last = settings_.answer == AntAnswer::best_so_far ? best_ : strongest_trail();
+  if (!last.arrived) return std::nullopt;
+  return rule_.finish(nest_, last);
+}
+
+// False when the goal cannot be reached, or the checks did not suffice to find out.
+bool Colony::lay_trail(Meter& meter) {
+  double initial = settings_.initial_pheromone;
+  if (initial == 0) {
+    const ScoutReport report = send_scout(nest_, *trail_, meter.checks_left());
+    meter.spend_checks(report.decisions);
+    if (report.unreachable) meter.conclude();
+    if (!report.scout) return false;
+    initial = rule_.initial_pheromone(*report.scout);
+  }
+  trail_->reset(initial);
+  return true;
+}
+
+// A chunk of ants has its walker, whoever runs it.
+void Colony::make_walkers(const Executor& executor) {
+  const auto threads = static_cast<std::size_t>(executor.threads());
+  const std::size_t chunks = threads == 1 ? 1 : 4 * threads;
+  grain_ = (walks_.size() + chunks - 1) / chunks;
+  walkers_.clear();
+  for (std::size_t begin = 0; begin < walks_.size(); begin += grain_) walkers_.emplace_back(*ground_);
+}
+
+std::size_t Colony::walk_all(Context& context, const Stream& stream) {
+  const std::size_t batch = context.meter.admitted(walks_.size());
+  const std::uint64_t limit = context.meter.checks_left();
+  const auto body = [&](std::size_t begin, std::size_t end) {
+    walkers_[begin / grain_].run(begin, end, stream, limit, context.meter, walks_);
+  };
+  context.executor.run(batch, grain_, body);
+  return batch;
+}
+
+// Pays for the walks in ant order. The ant that meets the end of the checks is cut there: its walk and those
+// behind it do not count. Returns how many walks do.
+std::size_t Colony::charge(std::size_t walked, Meter& meter) const {
+  for (std::size_t i = 0; i < walked; ++i) {
+    const Walk& walk = walks_[i];
+    const std::uint64_t left = meter.checks_left();
+    if (walk.decisions > left || (walk.decisions == left && !walk.arrived && left > 0)) {
+      meter.spend_checks(left);
+      return i;
+    }
+    meter.spend_checks(walk.decisions);
+    meter.spend_evaluations(1);
+    if (meter.checks_left() == 0) return i + 1;
+  }
+  return walked;
+}
+
+void Colony::count(std::size_t counted, Meter& meter) const {
+  std::uint64_t arrived = 0;
+  std::uint64_t pops = 0;
+  for (std::size_t i = 0; i < counted; ++i) {
+    arrived += walks_[i].arrived ? 1 : 0;
+    pops += walks_[i].pops;
+  }
+  meter.count("arrived", arrived);
+  meter.count("pops", pops);
+}
+
+void Colony::keep_best(Harvest& harvest, Meter& meter) {
+  for (std::size_t i = 0; i < harvest.count; ++i) {
+    if (walks_[i].arrived) keep_if_better(walks_[i], harvest, meter);
+  }
+}
+
+void Colony::keep_if_better(const Walk& walk, Harvest& harvest, Meter& meter) {
+  if (harvest.shortest == nullptr || rule_.better(walk, *harvest.shortest)) harvest.shortest = &walk;
+  if (best_.arrived && !rule_.better(walk, best_)) return;
+  best_ = walk;
+  harvest.improved = true;
+  meter.improved(walk.length.value());
+}
+
+void Colony::deposit(const Walk& walk, double amount) {
+  change(walk, 1, amount);
+}
+
+void Colony::change(const Walk& walk, double factor, double amount) {
+  trail_->change_along(nest_.start(), walk.directions, factor, amount, settings_.both_ways);
+}
+
+void Colony::close(std::size_t index) {
+  if (nest_.closed(index)) return;
+  nest_.close(index);
+  if (!nest_.closed(index)) return;
+  for (int d = 0; d < direction_count; ++d) {
+    if ((nest_.moves()[index] >> d & 1) != 0) trail_->close(nest_.moves().step(index, d), opposite(d));
+  }
+}
+
+// From the start along the strongest pheromone over unvisited cells; has not arrived when that ends
+// elsewhere.
+Walk Colony::strongest_trail() const {
+  Walk walk;
+  std::vector<std::uint8_t> visited(nest_.size(), 0);
+  std::size_t cell = nest_.start();
+  while (cell != nest_.goal()) {
+    visited[cell] = 1;
+    int strongest = -1;
+    for (int d = 0; d < direction_count; ++d) {
+      if ((nest_.open(cell) >> d & 1) == 0 || visited[nest_.moves().step(cell, d)] != 0) continue;
+      if (strongest < 0 || trail_->pheromone(cell, d) > trail_->pheromone(cell, strongest)) strongest = d;
+    }
+    if (strongest < 0) return {};
+    walk.directions.push_back(static_cast<std::uint8_t>(strongest));
+    cell = nest_.moves().step(cell, strongest);
+  }
+  walk.arrived = true;
+  walk.length = length_of(walk.directions);
+  return walk;
+}
+
+Answer stay(const Problem& problem, Meter& meter) {
+  if (meter.exhausted()) return std::nullopt;
+  meter.spend_evaluations(1);
+  meter.improved(0);
+  return lattice_path({problem.start});
+}
+
+}  // namespace pathrace::algorithms

@@ -1,0 +1,92 @@
+// The colony: ants that walk, pay and learn, iteration by iteration, under a pheromone rule.
+//
+// One walk = one evaluation, one decision of an ant = one check; the steps of the greedy walk that sets the
+// initial pheromone, where a rule asks for one, are checks too. Ant i of iteration t draws from
+// stream.fork(t).fork(i). Counters of the record: `arrived`, walks that reached the goal; `pops`, steps back.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "algorithms/aco/nest.hpp"
+#include "algorithms/aco/pheromone_rule.hpp"
+#include "algorithms/aco/trail.hpp"
+#include "algorithms/aco/walk.hpp"
+#include "algorithms/aco/walker.hpp"
+#include "core/catalogue.hpp"
+#include "core/planner.hpp"
+
+namespace pathrace::algorithms {
+
+class Colony {
+ public:
+  /// The rule outlives the colony.
+  Colony(PheromoneRule& rule, const Problem& problem);
+  Colony(const Colony&) = delete;
+  Colony& operator=(const Colony&) = delete;
+
+  /// Walks and learns until the budget is spent.
+  Answer run(Context& context);
+
+  const Nest& nest() const { return nest_; }
+  const Trail& trail() const { return *trail_; }
+  Trail& trail() { return *trail_; }
+  /// Of the last iteration, one slot per ant.
+  const std::vector<Walk>& walks() const { return walks_; }
+  std::vector<Walk>& walks() { return walks_; }
+  /// Best so far; has arrived once there is one.
+  const Walk& best() const { return best_; }
+
+  /// Adds `amount` to each step of the walk's path.
+  void deposit(const Walk& walk, double amount);
+  /// tau := factor * tau + amount on each step of the walk's path.
+  void change(const Walk& walk, double factor, double amount);
+  /// Ants treat the cell as closed from the next iteration on. Start and goal stay open.
+  void close(std::size_t index);
+
+ private:
+  bool lay_trail(Meter& meter);
+  void make_walkers(const Executor& executor);
+  std::size_t walk_all(Context& context, const Stream& stream);
+  std::size_t charge(std::size_t walked, Meter& meter) const;
+  void count(std::size_t counted, Meter& meter) const;
+  void keep_best(Harvest& harvest, Meter& meter);
+  void keep_if_better(const Walk& walk, Harvest& harvest, Meter& meter);
+  Walk strongest_trail() const;
+
+  PheromoneRule& rule_;
+  const ColonySettings& settings_;
+  Problem problem_;
+  Nest nest_;
+  std::optional<Trail> trail_;
+  std::optional<Ground> ground_;
+  std::vector<Walker> walkers_;  // one per chunk of ants
+  std::size_t grain_ = 1;
+  std::vector<Walk> walks_;
+  Walk best_;
+};
+
+/// A card's planner for a rule `Rule(const Settings&)`. Start and goal in one cell are the walk of no steps.
+template <typename Settings, typename Rule>
+PlannerCard colony_card(PlannerCard card, const Schema<Settings>& schema);
+
+/// Start and goal in one cell: a walk of no steps, whose deposit would be infinite.
+Answer stay(const Problem& problem, Meter& meter);
+
+template <typename Settings, typename Rule>
+PlannerCard colony_card(PlannerCard card, const Schema<Settings>& schema) {
+  card.kind = Kind::aco;
+  return with_parameters(std::move(card), schema, [](const Settings& settings) {
+    return unprepared([settings](const Problem& problem, Context& context) {
+      if (problem.start == problem.goal) return stay(problem, context.meter);
+      Rule rule(settings);
+      return Colony(rule, problem).run(context);
+    });
+  });
+}
+
+}  // namespace pathrace::algorithms

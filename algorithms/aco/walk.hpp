@@ -1,0 +1,53 @@
+// A walk: what an ant brings home. Directions of its steps from the start, one byte each.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "algorithms/aco/nest.hpp"
+#include "core/lattice_length.hpp"
+#include "core/path.hpp"
+
+namespace pathrace::algorithms {
+
+/// A step of the grid: from the cell with this padded index in this direction.
+struct Step {
+  std::uint32_t index = 0;
+  std::uint8_t direction = 0;
+
+  friend bool operator==(const Step&, const Step&) = default;
+};
+
+struct alignas(64) Walk {
+  bool arrived = false;
+  std::vector<std::uint8_t>
+      directions;               ///< of the path; of an ant that died, only where the rule asks for it
+  LatticeLength length;         ///< of the path
+  std::uint64_t decisions = 0;  ///< steps forwards, backwards or onto a visited cell
+  std::uint64_t pops = 0;       ///< steps backwards
+  std::vector<Step> popped;     ///< steps taken back, in this order, only where the rule asks for it
+
+  friend bool operator==(const Walk&, const Walk&) = default;
+};
+
+/// Steps that change the direction of the step before.
+int turns(const Walk& walk);
+LatticeLength length_of(const std::vector<std::uint8_t>& directions);
+/// Padded indices from the start, the last cell included.
+std::vector<std::uint32_t> cells_of(const Nest& nest, const Walk& walk);
+/// An arrived walk along these cells: legal steps from the nest's start to its goal.
+Walk walk_along(const Nest& nest, const std::vector<std::uint32_t>& cells);
+Path path_of(const Nest& nest, const Walk& walk);
+
+/// Calls `visit(index, direction)` for each step of the path.
+template <typename Visit>
+void for_each_step(const Nest& nest, const Walk& walk, const Visit& visit) {
+  std::size_t index = nest.start();
+  for (const std::uint8_t direction : walk.directions) {
+    visit(index, int{direction});
+    index = nest.moves().step(index, direction);
+  }
+}
+
+}  // namespace pathrace::algorithms

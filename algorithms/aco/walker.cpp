@@ -1,0 +1,206 @@
+#include "algorithms/aco/walker.hpp"
+
+#include <algorithm>
+
+#include "algorithms/aco/choice.hpp"
+
+namespace pathrace::algorithms {
+
+Walker::Terms::Terms(const Ground& ground)
+    : rows(ground.trail.rows()),
+      offsets{},
+      stride(static_cast<std::ptrdiff_t>(ground.nest.stride())),
+      goal(static_cast<std::uint32_t>(ground.nest.goal())),
+      least_strength(ground.trail.least_strength()),
+      q0(static_cast<float>(ground.q0)) {
+  for (int d = 0; d < direction_count; ++d) {
+    offsets[static_cast<std::size_t>(d)] = static_cast<std::int32_t>(ground.nest.moves().offset(d));
+  }
+}
+
+Walker::Walker(const Ground& ground, std::size_t lanes) : ground_(ground), lanes_(lanes) {
+  const std::size_t margin = ground.nest.stride() + 4;
+  for (Lane& lane : lanes_) {
+    lane.mark_bytes.resize(ground.nest.size() + 2 * margin);
+    lane.marks = lane.mark_bytes.data() + margin;
+    lane.directions.resize(ground.nest.free_cells() + 1);
+    if (ground.dead_end == DeadEnd::revisit_with_loop_erasure) lane.place.resize(ground.nest.size());
+  }
+}
+
+void Walker::run(std::size_t begin, std::size_t end, const Stream& stream, std::uint64_t step_limit,
+                 const Meter& meter, std::vector<Walk>& walks) {
+  stream_ = &stream;
+  meter_ = &meter;
+  walks_ = &walks;
+  limit_ = std::min(step_limit, ground_.max_steps);
+  const bool with_places = ground_.dead_end == DeadEnd::revisit_with_loop_erasure;
+  if (ground_.q0 > 0) {
+    with_places ? run_lanes<true, true>(begin, end) : run_lanes<true, false>(begin, end);
+  } else {
+    with_places ? run_lanes<false, true>(begin, end) : run_lanes<false, false>(begin, end);
+  }
+}
+
+template <bool greedy, bool with_places>
+void Walker::run_lanes(std::size_t next, std::size_t end) {
+  const Terms terms(ground_);
+  std::size_t under_way = 0;
+  while (under_way < lanes_.size() && next < end) begin(lanes_[under_way++], next++);
+  while (under_way > 0) {
+    for (std::size_t k = 0; k < under_way; ++k) {
+      const Outcome outcome = step<greedy, with_places>(lanes_[k], terms);
+      if (outcome == Outcome::goes_on) continue;
+      finish(lanes_[k], outcome == Outcome::arrived);
+      if (next < end) {
+        begin(lanes_[k], next++);
+      } else {
+        --under_way;
+        std::swap(lanes_[k], lanes_[under_way]);
+      }
+    }
+  }
+}
+
+void Walker::begin(Lane& lane, std::size_t ant) const {
+  if (++lane.mark == 0) {
+    std::fill(lane.mark_bytes.begin(), lane.mark_bytes.end(), std::uint8_t{0});
+    lane.mark = 1;
+  }
+  lane.cell = lane.behind = lane.further = static_cast<std::uint32_t>(ground_.nest.start());
+  lane.recent = {};
+  lane.next = lane.directions.data();
+  lane.decisions = 0;
+  lane.pause = 0;
+  lane.pops = 0;
+  lane.stream = stream_->fork(ant);
+  lane.ant = ant;
+  lane.popped.clear();
+  if (!lane.place.empty()) lane.place[lane.cell] = 1;
+}
+
+void Walker::finish(Lane& lane, bool arrived) const {
+  Walk& walk = (*walks_)[lane.ant];
+  walk.arrived = arrived;
+  walk.decisions = lane.decisions;
+  walk.pops = lane.pops;
+  walk.directions.clear();
+  if (arrived || ground_.keep_the_dead) {
+    walk.directions.assign(lane.directions.data(), lane.next);
+  }
+  walk.length = length_of(walk.directions);
+  if (ground_.keep_popped) walk.popped = lane.popped;
+  if (lane.place.empty()) return;
+  std::size_t cell = ground_.nest.start();
+  lane.place[cell] = 0;
+  for (const std::uint8_t* direction = lane.directions.data(); direction != lane.next; ++direction) {
+    cell = ground_.nest.moves().step(cell, *direction);
+    lane.place[cell] = 0;
+  }
+}
+
+bool Walker::may_go_on(Lane& lane) const {
+  if (lane.decisions == limit_) return false;
+  if (lane.decisions > 0 && meter_->out_of_time()) return false;
+  lane.pause = std::min(limit_, lane.decisions + clock_interval);
+  return true;
+}
+
+template <bool greedy, bool with_places>
+Walker::Outcome Walker::step(Lane& lane, const Terms& terms) const {
+  if (lane.decisions == lane.pause && !may_go_on(lane)) return Outcome::died;
+  ++lane.decisions;
+  const std::uint32_t cell = lane.cell;
+  const ChoicePoint at{terms.rows + cell, lane.marks + cell,    terms.stride,
+                       lane.mark,         lane.recent.closed(), terms.least_strength};
+  const std::uint64_t bits = lane.stream.bits();
+  const int direction = greedy ? choose(at, bits, terms.q0) : choose(at, bits);
+  if (direction == no_choice) return stuck(lane, bits);
+  const std::uint32_t target =
+      cell + static_cast<std::uint32_t>(terms.offsets[static_cast<std::size_t>(direction)]);
+  lane.marks[lane.further] = lane.mark;
+  lane.further = lane.behind;
+  lane.behind = cell;
+  lane.cell = target;
+  lane.recent.add(direction);
+  *lane.next++ = static_cast<std::uint8_t>(direction);
+  if (with_places) lane.place[target] = static_cast<std::uint32_t>(lane.length() + 1);
+  return target == terms.goal ? Outcome::arrived : Outcome::goes_on;
+}
+
+void Walker::settle(Lane& lane) {
+  for (const std::uint32_t cell : {lane.cell, lane.behind, lane.further}) lane.marks[cell] = lane.mark;
+  lane.behind = lane.further = lane.cell;
+  lane.recent = {};
+}
+
+// A step off the beaten track; the lane is settled before and after.
+void Walker::move(Lane& lane, int direction) const {
+  lane.cell = static_cast<std::uint32_t>(ground_.nest.moves().step(lane.cell, direction));
+  *lane.next++ = static_cast<std::uint8_t>(direction);
+  if (!lane.place.empty()) lane.place[lane.cell] = static_cast<std::uint32_t>(lane.length() + 1);
+  settle(lane);
+}
+
+unsigned Walker::unvisited(const Lane& lane) const {
+  unsigned mask = 0;
+  for (int d = 0; d < direction_count; ++d) {
+    const bool open = (ground_.nest.open(lane.cell) >> d & 1) != 0;
+    if (open && lane.marks[ground_.nest.moves().step(lane.cell, d)] != lane.mark) mask |= 1U << d;
+  }
+  return mask;
+}
+
+// No step has a weight. Where steps are left whose weights have underflown, no preference is left among them.
+Walker::Outcome Walker::stuck(Lane& lane, std::uint64_t bits) const {
+  if (lane.behind != lane.cell) settle(lane);
+  const unsigned fresh = ground_.trail.every_step_weighs() ? 0 : unvisited(lane);
+  if (fresh != 0) {
+    move(lane, uniform_choice(fresh, lower_uniform(bits)));
+    return lane.cell == ground_.nest.goal() ? Outcome::arrived : Outcome::goes_on;
+  }
+  switch (ground_.dead_end) {
+    case DeadEnd::die: return Outcome::died;
+    case DeadEnd::backtrack: return back_up(lane);
+    case DeadEnd::revisit_with_loop_erasure: break;
+  }
+  return revisit(lane);
+}
+
+Walker::Outcome Walker::back_up(Lane& lane) const {
+  if (lane.length() == 0) return Outcome::died;  // all that can be reached has been seen
+  const std::uint8_t direction = *--lane.next;
+  lane.cell = static_cast<std::uint32_t>(ground_.nest.moves().step(lane.cell, opposite(direction)));
+  lane.behind = lane.further = lane.cell;  // marked long ago, like all of the path
+  ++lane.pops;
+  if (ground_.keep_popped) lane.popped.push_back({lane.cell, direction});
+  return Outcome::goes_on;
+}
+
+// A step onto any neighbour by eq. (1). Where the path has been there, the loop is cut off; else it goes on
+// from there.
+Walker::Outcome Walker::revisit(Lane& lane) const {
+  const unsigned open = ground_.nest.open(lane.cell);
+  if (open == 0) return Outcome::died;
+  scalar::Weights weights;
+  for (int d = 0; d < direction_count; ++d) {
+    weights[static_cast<std::size_t>(d)] = ground_.trail.weight(lane.cell, d);
+  }
+  const std::uint64_t bits = lane.stream.bits();
+  int direction = scalar::roulette(weights, upper_uniform(bits));
+  if (direction == no_choice) direction = uniform_choice(open, lower_uniform(bits));
+  const std::size_t target = ground_.nest.moves().step(lane.cell, direction);
+  if (lane.place[target] == 0) {
+    move(lane, direction);
+    return Outcome::goes_on;
+  }
+  while (lane.length() + 1 > lane.place[target]) {
+    lane.place[lane.cell] = 0;
+    const std::uint8_t last = *--lane.next;
+    lane.cell = static_cast<std::uint32_t>(ground_.nest.moves().step(lane.cell, opposite(last)));
+  }
+  settle(lane);
+  return Outcome::goes_on;
+}
+
+}  // namespace pathrace::algorithms

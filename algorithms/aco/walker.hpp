@@ -1,0 +1,112 @@
+// Walkers: they walk the ants of an iteration, several at a time.
+//
+// One step of one ant is a chain of dependent instructions: weights, sums, comparison, next cell, next
+// weights. A walker keeps a few ants on the way and lets each take a step in turn, so that one's waiting is
+// another's work. Each ant draws from its own stream, so who walks beside it changes nothing.
+//
+// A lane is the memory of one ant under way: the directions of its path, and a byte per cell with the mark of
+// the last ant that stood there. Ants of a lane take the marks 1 to 255 in turn; only then are they wiped.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "algorithms/aco/choice.hpp"
+#include "algorithms/aco/dead_end.hpp"
+#include "algorithms/aco/nest.hpp"
+#include "algorithms/aco/trail.hpp"
+#include "algorithms/aco/walk.hpp"
+#include "core/meter.hpp"
+#include "core/stream.hpp"
+
+namespace pathrace::algorithms {
+
+/// What all ants of a colony share while they walk.
+struct Ground {
+  const Nest& nest;
+  const Trail& trail;
+  DeadEnd dead_end = DeadEnd::die;
+  double q0 = 0;                ///< chance of the best step instead of eq. (1)
+  std::uint64_t max_steps = 0;  ///< a walk of more decisions is given up
+  bool keep_the_dead = false;   ///< keep the path of ants that did not arrive
+  bool keep_popped = false;     ///< keep the steps that were taken back
+};
+
+/// Runs ants one after another or side by side. Not for use by two threads at once.
+class Walker {
+ public:
+  static constexpr std::size_t default_lanes = 4;
+
+  explicit Walker(const Ground& ground, std::size_t lanes = default_lanes);
+
+  /// Ant i draws from stream.fork(i), one draw per decision (loop erasure draws twice when it is stuck), and
+  /// ends at the goal, dead, or after `step_limit` decisions. Writes walks[i] for i in begin..end-1.
+  void run(std::size_t begin, std::size_t end, const Stream& stream, std::uint64_t step_limit,
+           const Meter& meter, std::vector<Walk>& walks);
+
+ private:
+  static constexpr std::uint64_t clock_interval = 1024;
+
+  struct alignas(64) Lane {
+    std::uint32_t cell = 0;
+    std::uint32_t behind = 0;   // the cell before, not marked yet
+    std::uint32_t further = 0;  // the cell before that, not marked yet
+    std::uint8_t mark = 0;
+    RecentSteps recent;
+    std::uint8_t* marks = nullptr;  // of padded index 0
+    std::uint8_t* next = nullptr;   // where the next direction of the path goes
+    std::uint64_t decisions = 0;
+    std::uint64_t pause = 0;  // decisions after which limits and clock are looked at
+    Stream stream{0};
+    std::size_t ant = 0;
+    std::uint64_t pops = 0;
+    std::vector<std::uint8_t> mark_bytes;  // framed, so that a row beyond the padded grid can be read
+    std::vector<std::uint8_t> directions;  // of the path
+    std::vector<std::uint32_t> place;  // path length at which a cell was entered, from 1; loop erasure only
+    std::vector<Step> popped;
+
+    std::size_t length() const { return static_cast<std::size_t>(next - directions.data()); }
+  };
+
+  // What does not change while lanes run: a copy on the stack, which no store can be suspected to alter.
+  struct Terms {
+    explicit Terms(const Ground& ground);
+
+    const TrailRow* rows;
+    std::array<std::int32_t, direction_count> offsets;
+    std::ptrdiff_t stride;
+    std::uint32_t goal;
+    float least_strength;
+    float q0;
+  };
+
+  enum class Outcome { goes_on, arrived, died };
+
+  template <bool greedy, bool with_places>
+  void run_lanes(std::size_t begin, std::size_t end);
+  template <bool greedy, bool with_places>
+  Outcome step(Lane& lane, const Terms& terms) const;
+  void begin(Lane& lane, std::size_t ant) const;
+  void finish(Lane& lane, bool arrived) const;
+  bool may_go_on(Lane& lane) const;
+  /// Marks what is not marked yet.
+  static void settle(Lane& lane);
+  void move(Lane& lane, int direction) const;
+  /// Bit d is set when the step is open and leads to a cell the ant has not been on. The lane is settled.
+  unsigned unvisited(const Lane& lane) const;
+  Outcome stuck(Lane& lane, std::uint64_t bits) const;
+  Outcome back_up(Lane& lane) const;
+  Outcome revisit(Lane& lane) const;
+
+  const Ground& ground_;
+  std::vector<Lane> lanes_;
+  // of the current run
+  const Stream* stream_ = nullptr;
+  const Meter* meter_ = nullptr;
+  std::vector<Walk>* walks_ = nullptr;
+  std::uint64_t limit_ = 0;
+};
+
+}  // namespace pathrace::algorithms

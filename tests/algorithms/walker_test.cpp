@@ -1,0 +1,165 @@
+// Walkers: what ants do on a trail.
+#include "algorithms/aco/walker.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tests/support/maps.hpp"
+#include "tests/support/oracle.hpp"
+
+namespace pathrace::algorithms {
+namespace {
+
+using pathrace::testing::grid_of;
+
+constexpr std::uint64_t no_limit = 1'000'000;
+constexpr auto equal = [](std::size_t, int) { return 1.0; };
+
+struct Field {
+  Field(OccupancyGrid map, MoveRule rule, Cell start, Cell goal, const Trail::Heuristic& eta = equal)
+      : grid(std::move(map)), nest({grid, rule, start, goal}), trail(nest.moves(), 1, 1, 1, eta) {}
+
+  Ground ground(DeadEnd dead_end) const {
+    Ground ground{nest, trail};
+    ground.dead_end = dead_end;
+    ground.max_steps = no_limit;
+    ground.keep_the_dead = true;
+    ground.keep_popped = true;
+    return ground;
+  }
+
+  std::vector<Walk> walk(DeadEnd dead_end, std::size_t ants, std::uint64_t seed,
+                         std::uint64_t limit = no_limit, std::size_t lanes = Walker::default_lanes) const {
+    std::vector<Walk> walks(ants);
+    const Ground shared = ground(dead_end);
+    Walker(shared, lanes).run(0, ants, Stream(seed), limit, Meter({}), walks);
+    return walks;
+  }
+
+  void expect_simple_and_legal(const Walk& walk) const {
+    const std::vector<std::uint32_t> cells = cells_of(nest, walk);
+    EXPECT_EQ(std::set<std::uint32_t>(cells.begin(), cells.end()).size(), cells.size());
+    for_each_step(nest, walk, [&](std::size_t index, int d) { EXPECT_NE(nest.moves()[index] >> d & 1, 0); });
+    EXPECT_EQ(static_cast<std::size_t>(walk.length.straight + walk.length.diagonal), walk.directions.size());
+    if (walk.arrived) {
+      EXPECT_EQ(cells.back(), nest.goal());
+    }
+  }
+
+  OccupancyGrid grid;
+  Nest nest;
+  Trail trail;
+};
+
+TEST(Walker, NeverStepsOnACellTwiceAndArrivesWithItsExactLength) {
+  const Field field(grid_of({".....", ".....", ".....", ".....", "....."}), MoveRule::strict, {0, 0}, {4, 4});
+  int arrived = 0;
+  for (const Walk& walk : field.walk(DeadEnd::die, 300, 43)) {
+    field.expect_simple_and_legal(walk);
+    EXPECT_EQ(walk.pops, 0U);
+    if (!walk.arrived) continue;
+    ++arrived;
+    EXPECT_EQ(walk.decisions, walk.directions.size());
+  }
+  EXPECT_GT(arrived, 0);
+}
+
+TEST(Walker, DiesInADeadEndWhenToldTo) {
+  const Field field(grid_of({"...", "##.", "..."}), MoveRule::four, {1, 0}, {0, 0},
+                    [](std::size_t, int d) { return d == 0 ? 1e9 : 1e-9; });
+  EXPECT_FALSE(field.walk(DeadEnd::die, 1, 1)[0].arrived);
+}
+
+TEST(Walker, BacktrackingArrivesOnEveryConnectedMap) {
+  int solvable = 0;
+  for (std::uint64_t i = 0; i < 200; ++i) {
+    const testing::Question question = testing::random_question(Stream(47).fork(i), 15, 0.4);
+    if (question.start == question.goal) continue;
+    const Field field(question.grid, MoveRule::strict, question.start, question.goal);
+    const Walk walk = field.walk(DeadEnd::backtrack, 1, i)[0];
+    const bool reachable =
+        testing::oracle_reachable(question.grid, MoveRule::strict, question.start, question.goal);
+    EXPECT_EQ(walk.arrived, reachable) << i;
+    EXPECT_EQ(walk.pops, walk.popped.size());
+    if (walk.arrived) {
+      EXPECT_EQ(walk.decisions, walk.directions.size() + 2 * walk.pops) << i;  // forwards, and forth and back
+    }
+    field.expect_simple_and_legal(walk);
+    solvable += reachable ? 1 : 0;
+  }
+  EXPECT_GT(solvable, 50);
+}
+
+// A corridor to the goal with a blind alley beside it.
+const std::vector<std::string> alley = {"..........", ".########.", ".........#", "########.#", ".........#"};
+
+TEST(Walker, LoopErasureLeavesASimpleLegalPath) {
+  const Field field(grid_of(alley), MoveRule::strict, {0, 0}, {9, 0});
+  bool turned_back = false;
+  for (const Walk& walk : field.walk(DeadEnd::revisit_with_loop_erasure, 200, 59)) {
+    ASSERT_TRUE(walk.arrived);
+    field.expect_simple_and_legal(walk);
+    turned_back = turned_back || walk.decisions > walk.directions.size();
+  }
+  EXPECT_TRUE(turned_back);  // some walks did go into the alley
+}
+
+TEST(Walker, StepsTakenBackAreListedInTheirOrder) {
+  // Two blind cells behind the start; the ant is drawn into them and out again.
+  const Field field(grid_of({"....."}), MoveRule::four, {2, 0}, {4, 0},
+                    [](std::size_t, int d) { return d == 4 ? 1e9 : 1e-9; });
+  const Walk walk = field.walk(DeadEnd::backtrack, 1, 5)[0];
+  ASSERT_TRUE(walk.arrived);
+  const auto cell = [&](int x) { return static_cast<std::uint32_t>(field.grid.index({x, 0})); };
+  EXPECT_EQ(walk.popped, (std::vector<Step>{{cell(1), 4}, {cell(2), 4}}));
+  EXPECT_EQ(walk.directions, (std::vector<std::uint8_t>{0, 0}));
+}
+
+TEST(Walker, StopsAtTheStepLimit) {
+  const Field field(grid_of({"..................."}), MoveRule::four, {0, 0}, {18, 0});
+  const Walk walk = field.walk(DeadEnd::die, 1, 1, 7)[0];
+  EXPECT_FALSE(walk.arrived);
+  EXPECT_EQ(walk.decisions, 7U);
+}
+
+TEST(Walker, GivesTheSameWalksHoweverManyWalkSideBySide) {
+  for (const DeadEnd dead_end : {DeadEnd::die, DeadEnd::backtrack, DeadEnd::revisit_with_loop_erasure}) {
+    const Field field(testing::random_grid(Stream(67), 20, 20, 0.25), MoveRule::strict, {0, 0}, {19, 19});
+    const std::vector<Walk> expected = field.walk(dead_end, 600, 61, 2000, 1);
+    for (const std::size_t lanes : {2U, 3U, 4U, 8U}) {
+      EXPECT_EQ(field.walk(dead_end, 600, 61, 2000, lanes), expected) << name(dead_end) << ' ' << lanes;
+    }
+  }
+}
+
+TEST(Walker, StillChoosesWhenEveryWeightHasUnderflown) {
+  Field field(grid_of({"....."}), MoveRule::four, {0, 0}, {4, 0});
+  field.trail.evaporate(0);
+  EXPECT_TRUE(field.walk(DeadEnd::die, 1, 1)[0].arrived);
+}
+
+TEST(Nest, AClosedCellIsNoObstacleForTheCornerRule) {
+  const Field open(grid_of({"..", ".."}), MoveRule::strict, {0, 0}, {1, 1});
+  Nest nest = open.nest;
+  nest.close(open.grid.index({1, 0}));
+  EXPECT_EQ(nest.open(nest.start()), 1U << 1 | 1U << 2);  // SE past it, and S
+  nest.close(nest.goal());
+  EXPECT_FALSE(nest.closed(nest.goal()));
+}
+
+TEST(Walk, AlongCellsHasTheirDirectionsAndTurns) {
+  const Field field(grid_of({"....", "...."}), MoveRule::strict, {0, 0}, {3, 1});
+  std::vector<std::uint32_t> cells;
+  for (const Cell cell : {Cell{0, 0}, Cell{1, 0}, Cell{2, 1}, Cell{3, 1}}) {
+    cells.push_back(static_cast<std::uint32_t>(field.grid.index(cell)));
+  }
+  const Walk walk = walk_along(field.nest, cells);
+  EXPECT_EQ(walk.directions, (std::vector<std::uint8_t>{0, 1, 0}));
+  EXPECT_EQ(walk.length, (LatticeLength{2, 1}));
+  EXPECT_EQ(turns(walk), 2);
+  EXPECT_EQ(cells_of(field.nest, walk), cells);
+}
+
+}  // namespace
+}  // namespace pathrace::algorithms
