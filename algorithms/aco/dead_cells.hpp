@@ -36,9 +36,9 @@ class DeadCells {
  public:
   enum class Layer { dead, obstacle };
 
-  /// `moves` outlives this. Under global_literal in the obstacle layer a cell whose loss would cut the goal
-  /// off from the start is refused, by a flood fill per mark; the dead layer marks without that guard, as Tan
-  /// does.
+  /// `moves` outlives this, in its place. Under global_literal in the obstacle layer a cell whose loss would
+  /// cut the goal off from the start is refused, by a flood fill per mark; the dead layer marks without that
+  /// guard, as Tan does.
   DeadCells(LiveMoves& moves, DeadTable table, Layer layer, std::size_t start, std::size_t goal);
 
   /// An ant has stepped back from this cell. Returns whether the cell was marked now.
