@@ -9,8 +9,8 @@
 #include "algorithms/aco/tan/connectivity.hpp"
 #include "algorithms/aco/tan/gaussian_field.hpp"
 #include "algorithms/aco/tan/obstacles.hpp"
+#include "core/overlay.hpp"
 #include "core/planner.hpp"
-#include "core/sketch.hpp"
 
 namespace pathrace::algorithms {
 
@@ -25,6 +25,6 @@ Environment environment_of(const Problem& problem, const CoverSettings& cover_se
                            const GaussianField& field);
 
 /// The same for a picture.
-Sketch sketch_of(const OccupancyGrid& grid, const Environment& environment);
+Overlay overlay_of(const OccupancyGrid& grid, const Environment& environment);
 
 }  // namespace pathrace::algorithms

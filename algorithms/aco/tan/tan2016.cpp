@@ -120,9 +120,9 @@ class Tan2016 final : public PheromoneRule {
 
 }  // namespace
 
-Sketch tan2016_sketch(const ParameterValues& values, const Problem& problem) {
+Overlay tan2016_overlay(const ParameterValues& values, const Problem& problem) {
   const S settings = schema().settings(values);
-  return sketch_of(problem.grid, environment_of(problem, settings.cover(), settings.field(1)));
+  return overlay_of(problem.grid, environment_of(problem, settings.cover(), settings.field(1)));
 }
 
 PlannerCard tan2016_card() {

@@ -34,6 +34,6 @@ struct Tan2016Settings : ColonySettings {
 
 /// Circles, pre-planned path and initial pheromone of `tan2016` with these parameters, tau0 in units of C.
 /// Throws InputError on values that the planner refuses.
-Sketch tan2016_sketch(const ParameterValues& values, const Problem& problem);
+Overlay tan2016_overlay(const ParameterValues& values, const Problem& problem);
 
 }  // namespace pathrace::algorithms

@@ -1,4 +1,4 @@
-// A sketch: what a planner thought about a map before it searched, for pictures.
+// An overlay: what a planner thought about a map before it searched, for pictures.
 #pragma once
 
 #include <vector>
@@ -7,16 +7,16 @@
 
 namespace pathrace {
 
-struct SketchCircle {
+struct OverlayCircle {
   Point centre;
   double radius = 0;  ///< in cell edges
 
-  friend bool operator==(const SketchCircle&, const SketchCircle&) = default;
+  friend bool operator==(const OverlayCircle&, const OverlayCircle&) = default;
 };
 
 /// All parts may be empty.
-struct Sketch {
-  std::vector<SketchCircle> circles;
+struct Overlay {
+  std::vector<OverlayCircle> circles;
   std::vector<Point> polyline;
   std::vector<double> field;  ///< one value per cell, row by row, width * height of the map
 };
