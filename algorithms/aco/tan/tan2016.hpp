@@ -9,6 +9,7 @@ namespace pathrace::algorithms {
 
 struct Tan2016Settings : ColonySettings {
   Tan2016Settings() {
+    deposit = 100;
     initial_pheromone = 8;
     dead_end = DeadEnd::backtrack;
   }
