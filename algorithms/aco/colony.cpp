@@ -223,11 +223,11 @@ Walk Colony::strongest_trail() const {
   return walk;
 }
 
-Answer stay(const Problem& problem, Meter& meter) {
+Answer stay(const Problem& problem, Meter& meter, Track track) {
   if (meter.exhausted()) return std::nullopt;
   meter.spend_evaluations(1);
   meter.improved(0);
-  return lattice_path({problem.start});
+  return Path{track, {centre(problem.start)}};
 }
 
 }  // namespace pathrace::algorithms

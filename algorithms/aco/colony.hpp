@@ -109,14 +109,15 @@ template <typename Settings, typename Rule>
 PlannerCard colony_card(PlannerCard card, const Schema<Settings>& schema);
 
 /// Start and goal in one cell: a walk of no steps, whose deposit would be infinite.
-Answer stay(const Problem& problem, Meter& meter);
+Answer stay(const Problem& problem, Meter& meter, Track track = Track::lattice);
 
 template <typename Settings, typename Rule>
 PlannerCard colony_card(PlannerCard card, const Schema<Settings>& schema) {
   card.kind = Kind::aco;
-  return with_parameters(std::move(card), schema, [](const Settings& settings) {
-    return unprepared([settings](const Problem& problem, Context& context) {
-      if (problem.start == problem.goal) return stay(problem, context.meter);
+  const Track track = card.track;
+  return with_parameters(std::move(card), schema, [track](const Settings& settings) {
+    return unprepared([settings, track](const Problem& problem, Context& context) -> Answer {
+      if (problem.start == problem.goal) return stay(problem, context.meter, track);
       auto rule = make_rule<Rule>(settings, problem, context.stream);
       return Colony(rule, problem).run(context);
     });

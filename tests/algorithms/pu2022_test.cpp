@@ -91,6 +91,23 @@ TEST(Pu2022, ItsAnswerHasNoRedundantCorner) {
   }
 }
 
+TEST(Pu2022AnyAngle, IsTheSameSearchWithAnAnswerThatIsNeverLonger) {
+  const scenarios::Library library;
+  int shorter = 0;
+  for (int seed = 1; seed <= 10; ++seed) {
+    const Scenario scenario = library.load("dense/20-20/" + std::to_string(seed));
+    const TrialRecord lattice = run({"pu2022", evaluations(500)}, scenario);
+    const TrialRecord straight = run({"pu2022-any-angle", evaluations(500)}, scenario);
+    ASSERT_EQ(straight.verdict, Verdict::solved) << straight.note;
+    EXPECT_EQ(straight.work, lattice.work);
+    EXPECT_LE(straight.metrics->length, lattice.metrics->length + 1e-9);
+    shorter += straight.metrics->length < lattice.metrics->length - 1e-9 ? 1 : 0;
+  }
+  EXPECT_EQ(shorter, 10);  // every lattice path with a turn by 45 degrees in the open
+  const Scenario squeezing = scenario_of({grid_of({".#", "#."}), {0, 0}, {1, 1}}, MoveRule::free);
+  EXPECT_EQ(run({"pu2022-any-angle"}, squeezing).verdict, Verdict::unsupported);
+}
+
 TEST(Pu2022, WithFullEvaporationOnlyTheReinforcedPathCarriesPheromone) {
   // After one iteration the best so far is the iteration's best, and nothing else has been paid.
   const scenarios::Library library;

@@ -7,25 +7,19 @@
 //   two straight steps, 90 degrees     -> the diagonal A-C, where the move rule allows it
 //   two diagonal steps, 90 degrees     -> straight on through the cell inside the corner, if it is free
 //   an angle of 45 degrees at B        -> the straight step A-C
-//   a turn by 45 degrees (135 at B)    -> the segment A-C, which leaves the lattice: `any_angle` only
+//   a turn by 45 degrees (135 at B)    -> the segment A-C, which leaves the lattice: `straightened` only
 //
 // Scanned from the start; after a replacement the corner before it is looked at again, until none is left.
 //
 // Pu Xingcheng et al., 1.2.4.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 #include "core/moves.hpp"
-#include "core/names.hpp"
 
 namespace pathrace::algorithms {
-
-enum class Simplify { off, lattice_only, any_angle };
 
 /// The path without redundant corners, each step legal in `moves`; never longer, same ends. Loops that a
 /// replacement closes are cut. Expects a path of legal steps in padded indices.
@@ -42,13 +36,3 @@ bool line_of_sight(const OccupancyGrid& grid, Cell from, Cell to);
 std::vector<Cell> straightened(const OccupancyGrid& grid, const std::vector<Cell>& path);
 
 }  // namespace pathrace::algorithms
-
-namespace pathrace {
-template <>
-inline constexpr auto names_of<algorithms::Simplify> =
-    std::to_array<std::pair<algorithms::Simplify, std::string_view>>({
-        {algorithms::Simplify::off, "off"},
-        {algorithms::Simplify::lattice_only, "lattice_only"},
-        {algorithms::Simplify::any_angle, "any_angle"},
-    });
-}  // namespace pathrace
