@@ -5,7 +5,7 @@
 namespace pathrace::algorithms {
 
 LiveMoves::LiveMoves(const OccupancyGrid& grid, MoveRule rule)
-    : rule_(rule), offsets_{}, closed_(grid.padded_size()), obstacle_(grid.padded_size()) {
+    : rule_(rule), closed_(grid.padded_size()), obstacle_(grid.padded_size()) {
   const MoveTable moves(grid, rule);
   masks_.assign(moves.data(), moves.data() + moves.size());
   for (int d = 0; d < direction_count; ++d) offsets_[static_cast<std::size_t>(d)] = moves.offset(d);

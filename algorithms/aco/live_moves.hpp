@@ -46,7 +46,7 @@ class LiveMoves {
   void forbid(std::size_t from, int direction);
 
   MoveRule rule_;
-  std::array<std::ptrdiff_t, direction_count> offsets_;
+  std::array<std::ptrdiff_t, direction_count> offsets_{};
   std::vector<std::uint8_t> masks_;
   std::vector<std::uint8_t> closed_;    // blocked or lost
   std::vector<std::uint8_t> obstacle_;  // blocked or walled: what the corner rule sees

@@ -20,6 +20,9 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "algorithms/aco/colony.hpp"
 #include "algorithms/aco/dead_ends.hpp"
@@ -128,6 +131,7 @@ class Pu2022 : public PheromoneRule {
       if (meter.admitted(1) == 0 || meter.checks_left() < cells) return false;
       meter.spend_evaluations(1);
       meter.spend_checks(cells);
+      meter.count("lessons", 1);
       return true;
     };
     const Stream stream = context.stream.fork(iteration_).fork("teaching");
@@ -166,16 +170,51 @@ class Pu2022 : public PheromoneRule {
   double c_ = 0;
 };
 
-}  // namespace
+// The same colony on the lattice; its answer is straightened at the end.
+class Pu2022AnyAngle final : public Pu2022 {
+ public:
+  Pu2022AnyAngle(const S& settings, const Problem& problem, const Stream& stream)
+      : Pu2022(settings, problem, stream), grid_(problem.grid) {
+    if (problem.rule == MoveRule::free) {
+      throw Unsupported(
+          "any-angle paths do not pass between blocked cells that touch, as the rule 'free' allows");
+    }
+  }
 
-PlannerCard pu2022_card() {
+  Path finish(const Nest& nest, const Walk& best) const override {
+    std::vector<Cell> cells;
+    for (const std::uint32_t index : cells_of(nest, best)) cells.push_back(nest.cell(index));
+    Path path = lattice_path(straightened(grid_, cells));
+    path.track = Track::any_angle;
+    return path;
+  }
+
+ private:
+  const OccupancyGrid& grid_;
+};
+
+PlannerCard card_named(std::string name, std::string summary) {
   PlannerCard card;
-  card.name = "pu2022";
-  card.summary = "grouped-teaching ant colony, a reconstruction from one page of the paper";
+  card.name = std::move(name);
+  card.summary = std::move(summary);
   card.source =
       "after Pu X. et al., 2022, p. 767; the teaching after Zhang, Jin, Expert Syst. Appl. 148, 2020";
   card.default_budget.iterations = 100;
-  return colony_card<S, Pu2022>(std::move(card), schema());
+  return card;
+}
+
+}  // namespace
+
+PlannerCard pu2022_card() {
+  return colony_card<S, Pu2022>(
+      card_named("pu2022", "grouped-teaching ant colony, a reconstruction from one page of the paper"),
+      schema());
+}
+
+PlannerCard pu2022_any_angle_card() {
+  PlannerCard card = card_named("pu2022-any-angle", "pu2022 with its answer straightened off the lattice");
+  card.track = Track::any_angle;
+  return colony_card<S, Pu2022AnyAngle>(std::move(card), schema());
 }
 
 }  // namespace pathrace::algorithms
