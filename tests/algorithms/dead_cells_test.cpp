@@ -130,6 +130,11 @@ TEST(LiveMoves, UnwallRestoresEveryStep) {
       ASSERT_TRUE(moves.alive(grid.index(cell)));
     }
     for (std::size_t k = 0; k < table.size(); ++k) ASSERT_EQ(moves[k], table[k]);
+    OccupancyGrid one_more = grid;  // what was undone is no obstacle of the corner rule either
+    one_more.block(testing::free_cells_of(grid)[20]);
+    moves.wall(grid.index(testing::free_cells_of(grid)[20]));
+    const MoveTable expected(one_more, rule);
+    for (std::size_t k = 0; k < table.size(); ++k) ASSERT_EQ(moves[k], expected[k]) << name(rule);
   }
 }
 

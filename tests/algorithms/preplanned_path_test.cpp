@@ -34,6 +34,7 @@ TEST(PreplannedPath, GoesToTheCentreOfLeastBendInASetThatLiesOnBothSides) {
 TEST(PreplannedPath, TakesTheNearestSetFirst) {
   const std::vector<CircleSet> sets = {{{{7, 0.2}, 1}}, {{{3, 0.5}, 1}}};
   EXPECT_EQ(preplanned_path(start, goal, sets), (Polyline{start, {3, 0.5}, {7, 0.2}, goal}));
+  EXPECT_EQ(preplanned_path(start, goal, {sets[1], sets[0]}), (Polyline{start, {3, 0.5}, {7, 0.2}, goal}));
 }
 
 TEST(PreplannedPath, MendASlopesOfVerticalLinesAreNoTrouble) {

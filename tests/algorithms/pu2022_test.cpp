@@ -113,7 +113,7 @@ TEST(Pu2022, WithFullEvaporationOnlyTheReinforcedPathCarriesPheromone) {
   const scenarios::Library library;
   Budget one_iteration;
   one_iteration.iterations = 1;
-  const std::string call = "pu2022:teaching=none,simplify=false,evaporation=1,answer=";
+  const std::string call = "pu2022:teaching=none,simplify=false,dead_table=none,evaporation=1,answer=";
   for (int seed = 1; seed <= 10; ++seed) {
     const Scenario scenario = library.load("dense/20-20/" + std::to_string(seed));
     EXPECT_EQ(run({call + "argmax_pheromone", one_iteration}, scenario).answer,

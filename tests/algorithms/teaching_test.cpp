@@ -53,13 +53,25 @@ TEST(Splice, LeavesTheLearnerAloneWhenNoJointIsShorter) {
   EXPECT_EQ(splicer().splice(path_of(early_detour), path_of(early_detour)), path_of(early_detour));
 }
 
-TEST(Splice, CutsTheLoopThatTheJointCloses) {
-  // Learner 0,0 1,0 2,0 2,1 2,2 ... ; the teacher comes by (2,2) first, then back through (1,0) to the goal.
+TEST(Splice, AmongEquallyShortJointsTakesTheOneNearestToTheStart) {
+  const CellPath learner = path_of({{0, 2}, {1, 1}, {2, 2}, {3, 2}, {3, 3}, {4, 3}, {5, 3}, {5, 2}});
+  const CellPath teacher = path_of({{0, 2}, {1, 3}, {2, 2}, {3, 2}, {4, 2}, {5, 2}});
+  EXPECT_EQ(splicer().splice(learner, teacher), teacher);
+}
+
+TEST(Splice, VisitsNoCellTwiceThoughThePathsCrossInOppositeOrder) {
   const CellPath learner = path_of(
       {{0, 0}, {1, 0}, {2, 1}, {2, 2}, {2, 3}, {3, 4}, {4, 4}, {5, 3}, {5, 2}, {5, 1}, {4, 0}, {3, 0}});
   const CellPath teacher = path_of({{0, 0}, {0, 1}, {1, 2}, {2, 2}, {1, 1}, {1, 0}, {2, 0}, {3, 0}});
-  const CellPath result = splicer().splice(learner, teacher);
-  EXPECT_EQ(result, path_of({{0, 0}, {1, 0}, {2, 0}, {3, 0}}));
+  EXPECT_EQ(splicer().splice(learner, teacher), path_of({{0, 0}, {1, 0}, {2, 0}, {3, 0}}));
+}
+
+TEST(TeachPaths, InAClassOfTwoEachLearnsFromTheOther) {
+  std::vector<Pupil> pupils = {pupil_of(early_detour), pupil_of(late_detour)};
+  Splicer shared = splicer();
+  teach_paths(pupils, true, shared, grid.stride(), Stream(1), [](std::size_t) { return true; });
+  EXPECT_EQ(pupils[0].path, path_of(straight));
+  EXPECT_EQ(pupils[1].path, path_of(straight));
 }
 
 TEST(TeachPaths, ThePupilsNeverGetWorseAndTheClassLearns) {

@@ -45,25 +45,7 @@ CellPath Splicer::splice(const CellPath& learner, const CellPath& teacher) {
   for (const std::uint32_t cell : teacher) place_[cell] = 0;
   CellPath result(learner.begin(), learner.begin() + static_cast<std::ptrdiff_t>(joint) + 1);
   result.insert(result.end(), teacher.begin() + there, teacher.end());
-  cut_loops(result);
   return result;
-}
-
-void Splicer::cut_loops(CellPath& path) {
-  CellPath kept;
-  for (const std::uint32_t cell : path) {
-    if (place_[cell] == 0) {
-      kept.push_back(cell);
-      place_[cell] = static_cast<std::uint32_t>(kept.size());
-      continue;
-    }
-    while (kept.size() > place_[cell]) {
-      place_[kept.back()] = 0;
-      kept.pop_back();
-    }
-  }
-  for (const std::uint32_t cell : kept) place_[cell] = 0;
-  path.swap(kept);
 }
 
 }  // namespace pathrace::algorithms

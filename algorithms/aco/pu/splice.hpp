@@ -1,7 +1,8 @@
 // Splicing: a path learns from another one by taking over the rest of it at a cell that both visit.
 //
 // Of all cells that two paths share, the one is chosen at which "the learner until there, the teacher from
-// there on" is shortest; ties go to the cell nearest to the start. What the joint closes into a loop is cut.
+// there on" is shortest; ties go to the cell nearest to the start. The result visits no cell twice: a cell
+// before the joint on the learner and behind it on the teacher would be a shorter joint itself.
 //
 // Our reading of the paper's teaching for paths, algorithms.md 3.5 (B).
 #pragma once
@@ -29,8 +30,6 @@ class Splicer {
   CellPath splice(const CellPath& learner, const CellPath& teacher);
 
  private:
-  void cut_loops(CellPath& path);
-
   std::vector<std::uint32_t> place_;  // position on a path from 1; all 0 between calls
   std::size_t stride_;
 };
