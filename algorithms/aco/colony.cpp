@@ -47,8 +47,17 @@ Colony::Colony(PheromoneRule& rule, const Problem& problem)
       nest_(problem),
       walks_(static_cast<std::size_t>(settings_.ants)) {
   trail_.emplace(nest_.moves(), 1.0, settings_.alpha, settings_.beta, heuristic(settings_, nest_));
-  ground_.emplace(Ground{nest_, *trail_, settings_.dead_end, rule.q0(), max_steps(settings_, nest_),
-                         rule.keeps_the_dead(), rule.keeps_popped()});
+  ground_.emplace(ground_on(*trail_));
+}
+
+Ground Colony::ground_on(const Trail& trail) const {
+  return {nest_,
+          trail,
+          settings_.dead_end,
+          rule_.q0(),
+          max_steps(settings_, nest_),
+          rule_.keeps_the_dead(),
+          rule_.keeps_popped()};
 }
 
 Answer Colony::run(Context& context) {
@@ -86,13 +95,35 @@ bool Colony::lay_trail(Meter& meter) {
   return true;
 }
 
-// A chunk of ants has its walker, whoever runs it.
+// A chunk of ants has its walker, whoever runs it. A group is a chunk.
 void Colony::make_walkers(const Executor& executor) {
   const auto threads = static_cast<std::size_t>(executor.threads());
-  const std::size_t chunks = threads == 1 ? 1 : 4 * threads;
+  const std::size_t undivided = threads == 1 ? 1 : 4 * threads;
+  const std::size_t chunks = groups_.empty() ? undivided : groups_.size();
   grain_ = (walks_.size() + chunks - 1) / chunks;
   walkers_.clear();
-  for (std::size_t begin = 0; begin < walks_.size(); begin += grain_) walkers_.emplace_back(*ground_);
+  for (std::size_t begin = 0; begin < walks_.size(); begin += grain_) {
+    walkers_.emplace_back(groups_.empty() ? *ground_ : *groups_[begin / grain_]->ground);
+  }
+}
+
+void Colony::regroup(const std::vector<Taste>& tastes) {
+  while (groups_.size() < tastes.size()) groups_.push_back(std::make_unique<Group>());
+  for (std::size_t g = 0; g < tastes.size(); ++g) {
+    Group& group = *groups_[g];
+    group.trail.emplace(nest_.moves(), 1.0, tastes[g].alpha, tastes[g].beta, heuristic(settings_, nest_));
+    group.trail->limit(trail_->lower_limit(), trail_->upper_limit());
+    for (std::size_t index = 0; index < nest_.size(); ++index) {
+      for (int d = 0; d < direction_count; ++d) {
+        if ((nest_.open(index) >> d & 1) != 0) {
+          group.trail->set(index, d, trail_->pheromone(index, d));
+        } else {
+          group.trail->close(index, d);
+        }
+      }
+    }
+    if (!group.ground) group.ground.emplace(ground_on(*group.trail));  // the trail stays in its place
+  }
 }
 
 std::size_t Colony::walk_all(Context& context, const Stream& stream) {
@@ -164,6 +195,12 @@ void Colony::close(std::size_t index) {
   }
 }
 
+void Colony::close_step(std::size_t index, int direction) {
+  nest_.close_step(index, direction);
+  trail_->close(index, direction);
+  trail_->close(nest_.moves().step(index, direction), opposite(direction));
+}
+
 // From the start along the strongest pheromone over unvisited cells; has not arrived when that ends
 // elsewhere.
 Walk Colony::strongest_trail() const {
@@ -186,11 +223,11 @@ Walk Colony::strongest_trail() const {
   return walk;
 }
 
-Answer stay(const Problem& problem, Meter& meter) {
+Answer stay(const Problem& problem, Meter& meter, Track track) {
   if (meter.exhausted()) return std::nullopt;
   meter.spend_evaluations(1);
   meter.improved(0);
-  return lattice_path({problem.start});
+  return Path{track, {centre(problem.start)}};
 }
 
 }  // namespace pathrace::algorithms

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "algorithms/aco/nest.hpp"
@@ -21,6 +22,12 @@
 #include "core/planner.hpp"
 
 namespace pathrace::algorithms {
+
+/// How much an ant heeds the pheromone and the heuristic, where it is not the colony's alpha and beta.
+struct Taste {
+  double alpha = 1;
+  double beta = 1;
+};
 
 class Colony {
  public:
@@ -47,8 +54,22 @@ class Colony {
   void change(const Walk& walk, double factor, double amount);
   /// Ants treat the cell as closed from the next iteration on. Start and goal stay open.
   void close(std::size_t index);
+  /// Closes a legal step and its reverse: a diagonal past a cell that has become an obstacle.
+  void close_step(std::size_t index, int direction);
+  /// From the next iteration on, consecutive ants form groups of equal size with a taste each, on the
+  /// pheromone as it is now: a rule that wants groups calls this in begin() and after each change of the
+  /// trail. Always the same number of tastes.
+  void regroup(const std::vector<Taste>& tastes);
+  /// 0 without groups.
+  std::size_t group_of(std::size_t ant) const { return groups_.empty() ? 0 : ant / grain_; }
 
  private:
+  struct Group {
+    std::optional<Trail> trail;
+    std::optional<Ground> ground;
+  };
+
+  Ground ground_on(const Trail& trail) const;
   bool lay_trail(Meter& meter);
   void make_walkers(const Executor& executor);
   std::size_t walk_all(Context& context, const Stream& stream);
@@ -64,26 +85,40 @@ class Colony {
   Nest nest_;
   std::optional<Trail> trail_;
   std::optional<Ground> ground_;
+  std::vector<std::unique_ptr<Group>> groups_;
   std::vector<Walker> walkers_;  // one per chunk of ants
   std::size_t grain_ = 1;
   std::vector<Walk> walks_;
   Walk best_;
 };
 
-/// A card's planner for a rule `Rule(const Settings&)`. Start and goal in one cell are the walk of no steps.
+/// A rule from what it asks for: its settings, and perhaps the problem, and perhaps a stream of its own.
+template <typename Rule, typename Settings>
+Rule make_rule(const Settings& settings, const Problem& problem, const Stream& stream) {
+  if constexpr (std::is_constructible_v<Rule, const Settings&, const Problem&, const Stream&>) {
+    return Rule(settings, problem, stream.fork("rule"));
+  } else if constexpr (std::is_constructible_v<Rule, const Settings&, const Problem&>) {
+    return Rule(settings, problem);
+  } else {
+    return Rule(settings);
+  }
+}
+
+/// A card's planner for a rule that make_rule can make. Start and goal in one cell are the walk of no steps.
 template <typename Settings, typename Rule>
 PlannerCard colony_card(PlannerCard card, const Schema<Settings>& schema);
 
 /// Start and goal in one cell: a walk of no steps, whose deposit would be infinite.
-Answer stay(const Problem& problem, Meter& meter);
+Answer stay(const Problem& problem, Meter& meter, Track track = Track::lattice);
 
 template <typename Settings, typename Rule>
 PlannerCard colony_card(PlannerCard card, const Schema<Settings>& schema) {
   card.kind = Kind::aco;
-  return with_parameters(std::move(card), schema, [](const Settings& settings) {
-    return unprepared([settings](const Problem& problem, Context& context) {
-      if (problem.start == problem.goal) return stay(problem, context.meter);
-      Rule rule(settings);
+  const Track track = card.track;
+  return with_parameters(std::move(card), schema, [track](const Settings& settings) {
+    return unprepared([settings, track](const Problem& problem, Context& context) -> Answer {
+      if (problem.start == problem.goal) return stay(problem, context.meter, track);
+      auto rule = make_rule<Rule>(settings, problem, context.stream);
       return Colony(rule, problem).run(context);
     });
   });

@@ -20,4 +20,10 @@ void Nest::close(std::size_t index) {
   }
 }
 
+void Nest::close_step(std::size_t index, int direction) {
+  const std::size_t target = moves_.step(index, direction);
+  open_[index] &= static_cast<std::uint8_t>(~(1U << direction));
+  open_[target] &= static_cast<std::uint8_t>(~(1U << opposite(direction)));
+}
+
 }  // namespace pathrace::algorithms

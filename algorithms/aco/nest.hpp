@@ -30,6 +30,8 @@ class Nest {
   bool closed(std::size_t index) const { return closed_[index] != 0; }
   /// No step leads to this cell any more. Start and goal stay open. Colony::close tells the trail too.
   void close(std::size_t index);
+  /// Neither this step nor its reverse is open any more. Colony::close_step tells the trail too.
+  void close_step(std::size_t index, int direction);
 
   Cell cell(std::size_t index) const {
     return {static_cast<int>(index % stride_) - 1, static_cast<int>(index / stride_) - 1};

@@ -52,7 +52,10 @@ inline std::vector<std::string> calls_under_test() {
   calls.insert(calls.end(),
                {"as:dead_end=backtrack", "as:dead_end=revisit_with_loop_erasure",
                 "as:heuristic=inv_step,beta=2.5,alpha=1.5", "as:answer=argmax_pheromone,both_ways=false",
-                "acs:dead_end=backtrack", "mmas:dead_end=backtrack,evaporation=0.5,restart_after=1"});
+                "acs:dead_end=backtrack", "mmas:dead_end=backtrack,evaporation=0.5,restart_after=1",
+                "tan2016:dead_table=global_literal", "tan2016:dead_end=die,dead_table=none",
+                "pu2022:dead_table=global_literal", "pu2022:teaching=parameters",
+                "pu2022:teaching=none,update=all_ants"});
   return calls;
 }
 
