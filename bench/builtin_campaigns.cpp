@@ -28,7 +28,19 @@ checks = 1000000
 name = "as"
 [[planner]]
 name = "as"
-params = { dead_end = "backtrack" }
+params = { dead_end = "backtrack", alpha = [1, 0] }
+[[planner]]
+name = "acs"
+params = { dead_end = "backtrack", alpha = [1, 0] }
+[[planner]]
+name = "mmas"
+params = { dead_end = "backtrack", alpha = [1, 0] }
+[[planner]]
+name = "tan2016"
+params = { alpha = [1, 0] }
+[[planner]]
+name = "pu2022"
+params = { alpha = [1, 0] }
 [[planner]]
 name = "greedy"
 [[planner]]

@@ -74,10 +74,10 @@ void judge(const Entrant& entrant, const Scenario& scenario, const Referee& refe
 }  // namespace
 
 TrialRecord run_trial(const Entrant& entrant, const Scenario& scenario, const Referee& referee,
-                      const Budget& budget, const Stream& stream, Executor& executor) {
+                      const Budget& budget, const Stream& stream, Executor& executor, Overlay* overlay) {
   TrialRecord record;
   Meter meter(budget);
-  Context context{stream, executor, meter};
+  Context context{stream, executor, meter, overlay};
   executor.restart_census();
   call_planner(entrant, scenario, context, record);
   record.work = meter.work();

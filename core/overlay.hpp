@@ -1,4 +1,4 @@
-// An overlay: what a planner thought about a map before it searched, for pictures.
+// An overlay: what a planner thinks of a map, for pictures. No result depends on it.
 #pragma once
 
 #include <vector>

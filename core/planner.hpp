@@ -10,6 +10,7 @@
 
 #include "core/executor.hpp"
 #include "core/meter.hpp"
+#include "core/overlay.hpp"
 #include "core/path.hpp"
 #include "core/scenario.hpp"
 #include "core/stream.hpp"
@@ -29,6 +30,7 @@ struct Context {
   Stream stream;
   Executor& executor;
   Meter& meter;
+  Overlay* overlay = nullptr;  ///< where a planner may draw what it thinks; none in a race
 };
 
 /// A path from start to goal; nothing when the planner found none.

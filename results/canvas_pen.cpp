@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "results/canvas_map.hpp"
+#include "results/canvas_overlay.hpp"
 #include "results/font.hpp"
 #include "results/polyline.hpp"
 #include "results/utf8.hpp"
@@ -80,13 +81,17 @@ double CanvasPen::text_width(const TextStyle& style, const std::string& text) co
   return width_of(brush_of(style), text);
 }
 
-void CanvasPen::map(double left, double top, double scale, const Scenario& scenario, const Answer& answer) {
+void CanvasPen::map(double left, double top, double scale, const Scenario& scenario, const Answer& answer,
+           const Overlay& overlay) {
   const int x = static_cast<int>(left);
   const int y = static_cast<int>(top);
   const OccupancyGrid& grid = scenario.grid();
+  const MapPlace place{x, y, scale};
   paint_ground(canvas_, x, y, scale, grid);
+  paint_field(canvas_, place, overlay, grid);
   draw_frame(canvas_, x, y, static_cast<int>(std::ceil(grid.width() * scale)),
              static_cast<int>(std::ceil(grid.height() * scale)));
+  paint_shapes(canvas_, place, overlay);
   if (answer) draw_path(canvas_, answer->points, x, y, scale);
   const double radius = mark_radius(scale) * scale;
   goal_mark(x + (scenario.goal.x + 0.5) * scale, y + (scenario.goal.y + 0.5) * scale, radius);

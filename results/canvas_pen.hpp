@@ -13,7 +13,8 @@ class CanvasPen : public Pen {
 
   void text(double x, double baseline, const TextStyle& style, const std::string& text, double room) override;
   double text_width(const TextStyle& style, const std::string& text) const override;
-  void map(double left, double top, double scale, const Scenario& scenario, const Answer& answer) override;
+  void map(double left, double top, double scale, const Scenario& scenario, const Answer& answer,
+           const Overlay& overlay) override;
   void start_mark(double x, double y, double radius) override;
   void goal_mark(double x, double y, double radius) override;
   void path_mark(double x, double y, double length) override;

@@ -63,7 +63,7 @@ void draw_tile(Pen& pen, double left, double top, double slot, const Tile& tile)
   const double scale = scale_in(slot, grid);
   const double lower = std::floor((slot - grid.height() * scale) / 2);
   const double inner = std::floor((slot - grid.width() * scale) / 2);
-  pen.map(left + inner, map_top + lower, scale, tile.scenario, tile.answer);
+  pen.map(left + inner, map_top + lower, scale, tile.scenario, tile.answer, {});
   double baseline = map_top + slot + line + 6;
   pen.text(left, baseline, plain, tile.scenario.id, slot);
   pen.text(left, baseline += line, plain, facts_of(tile.scenario), slot);

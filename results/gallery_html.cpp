@@ -46,7 +46,7 @@ void write_map(std::ostream& out, const Tile& tile) {
              "<title>{0}</title>\n",
              xml_text(tile.scenario.id), facts_of(tile.scenario), -0.5 - edge, grid.width() + 2 * edge,
              grid.height() + 2 * edge);
-  write_svg_map(out, tile.scenario, tile.answer, scale, names);
+  write_svg_map(out, tile.scenario, tile.answer, {}, scale, names);
   out << "</svg>\n";
 }
 

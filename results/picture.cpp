@@ -54,11 +54,11 @@ PictureLayout layout_of(const OccupancyGrid& grid) {
 }
 
 void draw_picture(Pen& pen, const PictureLayout& layout, const Scenario& scenario, const Answer& answer,
-                  const std::string& title) {
+                  const Overlay& overlay, const std::string& title) {
   const double room = layout.width - 2 * layout.margin;
   pen.text(layout.margin, 25, {16, Weight::bold, palette.ink}, title, room);
   pen.text(layout.margin, 44, {12, Weight::normal, palette.faint}, caption_of(scenario, answer), room);
-  pen.map(layout.left, layout.head, layout.scale, scenario, answer);
+  pen.map(layout.left, layout.head, layout.scale, scenario, answer, overlay);
   draw_legend(pen, layout, scenario);
 }
 

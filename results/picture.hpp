@@ -26,6 +26,6 @@ PictureLayout layout_of(const OccupancyGrid& grid);
 
 /// Points that are not finite are left out. Without an answer it shows the question.
 void draw_picture(Pen& pen, const PictureLayout& layout, const Scenario& scenario, const Answer& answer,
-                  const std::string& title);
+                  const Overlay& overlay, const std::string& title);
 
 }  // namespace pathrace::results

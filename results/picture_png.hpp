@@ -12,6 +12,7 @@ namespace pathrace::results {
 /// A complete PNG file of about 800 pixels, at most 1600 a side for the map, whatever its size; equal
 /// arguments give equal bytes. Without an answer it shows the question. Points that are not finite are left
 /// out. Throws EnvironmentError when libpng fails.
-void write_png(std::ostream& out, const Scenario& scenario, const Answer& answer, const std::string& title);
+void write_png(std::ostream& out, const Scenario& scenario, const Answer& answer, const std::string& title,
+               const Overlay& overlay = {});
 
 }  // namespace pathrace::results

@@ -5,10 +5,11 @@
 
 namespace pathrace::results {
 
-void write_svg(std::ostream& out, const Scenario& scenario, const Answer& answer, const std::string& title) {
+void write_svg(std::ostream& out, const Scenario& scenario, const Answer& answer, const std::string& title,
+               const Overlay& overlay) {
   const PictureLayout layout = layout_of(scenario.grid());
   SvgPen pen(out, layout.width, layout.height, title);
-  draw_picture(pen, layout, scenario, answer, title);
+  draw_picture(pen, layout, scenario, answer, overlay, title);
   pen.finish();
 }
 

@@ -7,6 +7,7 @@
 
 #include "results/polyline.hpp"
 #include "results/rectangles.hpp"
+#include "results/svg_overlay.hpp"
 
 namespace pathrace::results {
 namespace {
@@ -77,15 +78,17 @@ void write_svg_goal(std::ostream& out, double x, double y, double radius,
   write_circle(out, x, y, radius * mark::goal_heart, paints.goal, "none", 0);
 }
 
-void write_svg_map(std::ostream& out, const Scenario& scenario, const Answer& answer, double scale,
-                   const Palette<std::string>& paints) {
+void write_svg_map(std::ostream& out, const Scenario& scenario, const Answer& answer, const Overlay& overlay,
+                   double scale, const Palette<std::string>& paints) {
   const OccupancyGrid& grid = scenario.grid();
   write_rectangle(out, grid, fmt::format("fill=\"{}\"", paints.ground));
+  write_svg_field(out, overlay, grid);
   write_grid_lines(out, grid, scale, paints.grid);
   write_obstacles(out, grid, paints.obstacle);
   write_rectangle(out, grid,
                   fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"{:.4g}\"", paints.obstacle,
                               frame_width / scale));
+  write_svg_shapes(out, overlay, scale, paints);
   if (answer) write_path(out, corners_of(answer->points), scale, paints);
   const double radius = mark_radius(scale);
   write_svg_goal(out, scenario.goal.x, scenario.goal.y, radius, paints);

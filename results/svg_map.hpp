@@ -3,16 +3,17 @@
 
 #include <ostream>
 
+#include "core/overlay.hpp"
 #include "core/planner.hpp"
 #include "core/scenario.hpp"
 #include "results/picture_style.hpp"
 
 namespace pathrace::results {
 
-/// Ground, grid lines, obstacles, frame, path, goal and start, in cell units: cell (0, 0) covers -0.5..0.5.
+/// Ground, overlay, grid lines, obstacles, frame, path, goal and start, in cell units: cell (0, 0) covers -0.5..0.5.
 /// A cell is drawn with about `scale` pixels. The paints are written as they are: colours or var(--name).
-void write_svg_map(std::ostream& out, const Scenario& scenario, const Answer& answer, double scale,
-                   const Palette<std::string>& paints);
+void write_svg_map(std::ostream& out, const Scenario& scenario, const Answer& answer, const Overlay& overlay,
+                   double scale, const Palette<std::string>& paints);
 
 void write_svg_start(std::ostream& out, double x, double y, double radius,
                      const Palette<std::string>& paints);

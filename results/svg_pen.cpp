@@ -49,9 +49,10 @@ double SvgPen::text_width(const TextStyle& style, const std::string& text) const
   return static_cast<double>(letter_count(text)) * letter_width * style.size;
 }
 
-void SvgPen::map(double left, double top, double scale, const Scenario& scenario, const Answer& answer) {
+void SvgPen::map(double left, double top, double scale, const Scenario& scenario, const Answer& answer,
+           const Overlay& overlay) {
   fmt::print(out_, "<g transform=\"translate({} {}) scale({:.6g}) translate(0.5 0.5)\">\n", left, top, scale);
-  write_svg_map(out_, scenario, answer, scale, paints_);
+  write_svg_map(out_, scenario, answer, overlay, scale, paints_);
   out_ << "</g>\n";
 }
 

@@ -76,6 +76,7 @@ Answer Colony::run(Context& context) {
     meter.end_iteration();
     rule_.learn(*this, harvest);
   }
+  if (context.overlay != nullptr) draw(*context.overlay);
   const Walk last = settings_.answer == AntAnswer::best_so_far ? best_ : strongest_trail();
   if (!last.arrived) return std::nullopt;
   return rule_.finish(nest_, last);
@@ -221,6 +222,23 @@ Walk Colony::strongest_trail() const {
   walk.arrived = true;
   walk.length = length_of(walk.directions);
   return walk;
+}
+
+// The field: per cell the strongest pheromone on a step out of it.
+void Colony::draw(Overlay& overlay) const {
+  const OccupancyGrid& grid = problem_.grid;
+  for (int y = 0; y < grid.height(); ++y) {
+    for (int x = 0; x < grid.width(); ++x) {
+      const std::size_t index = grid.index({x, y});
+      double strongest = 0;
+      for (int d = 0; d < direction_count; ++d) {
+        const bool open = (nest_.open(index) >> d & 1) != 0;
+        if (open) strongest = std::max<double>(strongest, trail_->pheromone(index, d));
+      }
+      overlay.field.push_back(strongest);
+    }
+  }
+  rule_.draw(overlay);
 }
 
 Answer stay(const Problem& problem, Meter& meter, Track track) {

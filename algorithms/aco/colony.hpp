@@ -78,6 +78,7 @@ class Colony {
   void keep_best(Harvest& harvest, Meter& meter);
   void keep_if_better(const Walk& walk, Harvest& harvest, Meter& meter);
   Walk strongest_trail() const;
+  void draw(Overlay& overlay) const;
 
   PheromoneRule& rule_;
   const ColonySettings& settings_;

@@ -65,6 +65,8 @@ class PheromoneRule {
   virtual double amount(const Walk& walk) const { return settings_.deposit / walk.length.value(); }
   /// The iteration's end: evaporation, deposits, penalties, dead ends.
   virtual void learn(Colony& colony, const Harvest& harvest) = 0;
+  /// Adds to a picture what this colony knows beside its pheromone.
+  virtual void draw(Overlay& /*overlay*/) const {}
   /// The answer, from the best walk.
   virtual Path finish(const Nest& nest, const Walk& best) const { return path_of(nest, best); }
 

@@ -107,16 +107,17 @@ void print_summary(const results::TrialRow& row) {
   fmt::print("digest       {}\n", hex(row.digest));
 }
 
-void write_pictures(const PlanCommand& command, const Scenario& scenario, const results::TrialRow& row) {
+void write_pictures(const PlanCommand& command, const Scenario& scenario, const results::TrialRow& row,
+                    const Overlay& overlay) {
   const std::string title = fmt::format("{} on {}", row.planner, row.scenario);
   if (!command.svg.empty()) {
     std::ostringstream text;
-    results::write_svg(text, scenario, row.answer, title);
+    results::write_svg(text, scenario, row.answer, title, overlay);
     write_file(command.svg, text.str());
   }
   if (!command.png.empty()) {
     std::ostringstream bytes;
-    results::write_png(bytes, scenario, row.answer, title);
+    results::write_png(bytes, scenario, row.answer, title, overlay);
     write_file(command.png, bytes.str());
   }
   if (!command.trace.empty()) {
@@ -135,8 +136,9 @@ int plan_command(const PlanCommand& command) {
   const std::unique_ptr<Executor> executor = make_executor(command.options.backend, command.options.threads);
   const TrialKey key{scenario.id,        content_hash(scenario), entrant.full_call(), entrant.card->version,
                      command.repetition, command.seed,           work_hash(budget)};
+  Overlay overlay;
   TrialRecord record = run_trial(entrant, scenario, referee, budget,
-                                 root_stream(key.seed, key.scenario, key.repetition), *executor);
+                                 root_stream(key.seed, key.scenario, key.repetition), *executor, &overlay);
   record.key = key.hash();
   record.costs.backend = command.options.backend;
   record.costs.threads = command.options.threads;
@@ -146,7 +148,7 @@ int plan_command(const PlanCommand& command) {
   } else {
     print_summary(row);
   }
-  write_pictures(command, scenario, row);
+  write_pictures(command, scenario, row, overlay);
   return done;
 }
 
@@ -187,7 +189,7 @@ void add_plan(CLI::App& app) {
   add_budget_options(*options, command->budget);
   add_executor_options(*options, command->options, false);
   options->add_flag("--json", command->json, "print one JSON object");
-  options->add_option("--svg", command->svg, "draw map and path")->type_name("FILE");
+  options->add_option("--svg", command->svg, "draw map, path, and what the planner thought: pheromone, circles")->type_name("FILE");
   options->add_option("--png", command->png, "draw map and path, as pixels")->type_name("FILE");
   options->add_option("--trace", command->trace, "write each improvement with the work spent, as CSV")
       ->type_name("FILE.csv");

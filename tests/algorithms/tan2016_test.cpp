@@ -106,20 +106,20 @@ TEST(Tan2016, GivesTheSameRecordOnEveryExecutorWhateverItsTable) {
   }
 }
 
-TEST(Tan2016Overlay, ShowsCirclesPathAndPheromoneOfTheSettings) {
-  const Question question{grid_of({".....", ".....", "..#..", ".....", "....."}), {0, 2}, {4, 2}};
-  const Overlay overlay = algorithms::tan2016_overlay(
-      {{"sigma", "1"}, {"amplitude", "3"}}, {question.grid, MoveRule::strict, question.start, question.goal});
+TEST(Tan2016, DrawsCirclesPathAndPheromoneWithoutChangingItsRecord) {
+  const Scenario scenario = scenario_of({grid_of({".....", ".....", "..#..", ".....", "....."}), {0, 2}, {4, 2}});
+  const Entrant entrant = bench::roster().enter(parse_call("tan2016:ants=5"));
+  const std::unique_ptr<Executor> executor = bench::make_executor("serial", 1);
+  Overlay overlay;
+  const TrialRecord drawn = bench::run_trial(entrant, scenario, Referee(scenario.terrain), walks(50),
+                                             root_stream(1, scenario.id, 0), *executor, &overlay);
   ASSERT_EQ(overlay.circles.size(), 1U);
   EXPECT_DOUBLE_EQ(overlay.circles[0].radius, std::sqrt(0.5));
   EXPECT_EQ(overlay.polyline, (std::vector<Point>{{0, 2}, {2, 2}, {4, 2}}));
   ASSERT_EQ(overlay.field.size(), 25U);
-  EXPECT_DOUBLE_EQ(overlay.field[2 * 5 + 0], 1 + 3);                   // on the path, in units of C
-  EXPECT_DOUBLE_EQ(overlay.field[2 * 5 + 2], 1);                       // blocked
-  EXPECT_DOUBLE_EQ(overlay.field[1 * 5 + 3], 1 + 3 * std::exp(-0.5));  // one cell beside it
-  EXPECT_THROW(algorithms::tan2016_overlay({{"sigma", "-1"}},
-                                           {question.grid, MoveRule::strict, question.start, question.goal}),
-               InputError);
+  EXPECT_EQ(overlay.field[2 * 5 + 2], 0);                          // blocked
+  EXPECT_GT(overlay.field[1 * 5 + 1], overlay.field[4 * 5 + 4]);  // where ants pass, and where none does
+  EXPECT_EQ(digest(drawn), digest(run({"tan2016:ants=5", walks(50)}, scenario)));
 }
 
 }  // namespace

@@ -15,14 +15,9 @@ Environment environment_of(const Problem& problem, const CoverSettings& cover_se
   return environment;
 }
 
-Overlay overlay_of(const OccupancyGrid& grid, const Environment& environment) {
-  Overlay overlay;
+void draw(const Environment& environment, Overlay& overlay) {
   for (const Circle& circle : environment.circles) overlay.circles.push_back({circle.centre, circle.radius});
   overlay.polyline = environment.preplanned;
-  for (int y = 0; y < grid.height(); ++y) {
-    for (int x = 0; x < grid.width(); ++x) overlay.field.push_back(environment.pheromone[grid.index({x, y})]);
-  }
-  return overlay;
 }
 
 }  // namespace pathrace::algorithms

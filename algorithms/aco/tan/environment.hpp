@@ -24,7 +24,7 @@ struct Environment {
 Environment environment_of(const Problem& problem, const CoverSettings& cover_settings,
                            const GaussianField& field);
 
-/// The same for a picture.
-Overlay overlay_of(const OccupancyGrid& grid, const Environment& environment);
+/// Adds circles and pre-planned path to a picture.
+void draw(const Environment& environment, Overlay& overlay);
 
 }  // namespace pathrace::algorithms

@@ -64,8 +64,8 @@ class Tan2016 final : public PheromoneRule {
     PheromoneRule::begin(colony);
     const Nest& nest = colony.nest();
     even_ = colony.trail().pheromone(nest.start(), 0);
-    const std::vector<double> tau0 =
-        environment_of(problem_, settings_.cover(), settings_.field(even_)).pheromone;
+    environment_ = environment_of(problem_, settings_.cover(), settings_.field(even_));
+    const std::vector<double>& tau0 = environment_.pheromone;
     for (std::size_t index = 0; index < nest.size(); ++index) {
       for (int d = 0; d < direction_count; ++d) {
         if ((nest.moves()[index] >> d & 1) == 0) continue;
@@ -87,6 +87,8 @@ class Tan2016 final : public PheromoneRule {
     const int difference = turns(challenger) - turns(incumbent);
     return difference != 0 ? difference < 0 : challenger.directions < incumbent.directions;
   }
+
+  void draw(Overlay& overlay) const override { algorithms::draw(environment_, overlay); }
 
   void learn(Colony& colony, const Harvest& harvest) override {
     if (settings_.mu < 1) penalise(colony, harvest.count);
@@ -115,15 +117,11 @@ class Tan2016 final : public PheromoneRule {
   const S& settings_;
   const Problem& problem_;
   DeadEnds dead_ends_;
+  Environment environment_;
   double even_ = 0;  // C
 };
 
 }  // namespace
-
-Overlay tan2016_overlay(const ParameterValues& values, const Problem& problem) {
-  const S settings = schema().settings(values);
-  return overlay_of(problem.grid, environment_of(problem, settings.cover(), settings.field(1)));
-}
 
 PlannerCard tan2016_card() {
   PlannerCard card;

@@ -1,4 +1,4 @@
-// The settings of Tan's colony, and the picture of what they mean on a map.
+// The settings of Tan's colony.
 #pragma once
 
 #include "algorithms/aco/colony_settings.hpp"
@@ -32,9 +32,5 @@ struct Tan2016Settings : ColonySettings {
   /// For an even pheromone of C.
   GaussianField field(double base) const { return {base, amplitude * base, sigma}; }
 };
-
-/// Circles, pre-planned path and initial pheromone of `tan2016` with these parameters, tau0 in units of C.
-/// Throws InputError on values that the planner refuses.
-Overlay tan2016_overlay(const ParameterValues& values, const Problem& problem);
 
 }  // namespace pathrace::algorithms
