@@ -202,9 +202,9 @@ TEST(DeadCells, NoTableAndAnAntsOwnMarkNothing) {
 
 const testing::ReferenceMap& u_trap() {
   for (const testing::ReferenceMap& map : testing::reference_maps()) {
-    if (map.name == "trap_U_east_20") return map;
+    if (map.name == "curated/trap-u-east-20") return map;
   }
-  throw std::logic_error("trap_U_east_20 is gone");
+  throw std::logic_error("curated/trap-u-east-20 is gone");
 }
 
 // In how many of ten colonies the best way is lost, by table.
