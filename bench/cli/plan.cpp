@@ -189,7 +189,9 @@ void add_plan(CLI::App& app) {
   add_budget_options(*options, command->budget);
   add_executor_options(*options, command->options, false);
   options->add_flag("--json", command->json, "print one JSON object");
-  options->add_option("--svg", command->svg, "draw map, path, and what the planner thought: pheromone, circles")->type_name("FILE");
+  options
+      ->add_option("--svg", command->svg, "draw map, path, and what the planner thought: pheromone, circles")
+      ->type_name("FILE");
   options->add_option("--png", command->png, "draw map and path, as pixels")->type_name("FILE");
   options->add_option("--trace", command->trace, "write each improvement with the work spent, as CSV")
       ->type_name("FILE.csv");
