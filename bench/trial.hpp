@@ -10,7 +10,8 @@
 namespace pathrace::bench {
 
 /// Nothing a planner does comes out as an exception: it becomes the record's verdict. `key` and the costs
-/// that describe the executor are the caller's to fill in. `overlay`: for a picture of what the planner thinks.
+/// that describe the executor are the caller's to fill in. `overlay`: for a picture of what the planner
+/// thinks.
 TrialRecord run_trial(const Entrant& entrant, const Scenario& scenario, const Referee& referee,
                       const Budget& budget, const Stream& stream, Executor& executor,
                       Overlay* overlay = nullptr);

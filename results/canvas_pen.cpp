@@ -82,7 +82,7 @@ double CanvasPen::text_width(const TextStyle& style, const std::string& text) co
 }
 
 void CanvasPen::map(double left, double top, double scale, const Scenario& scenario, const Answer& answer,
-           const Overlay& overlay) {
+                    const Overlay& overlay) {
   const int x = static_cast<int>(left);
   const int y = static_cast<int>(top);
   const OccupancyGrid& grid = scenario.grid();

@@ -34,9 +34,10 @@ class Pen {
   /// Pixels from the beginning of a line of text to its end; about that many where the font is the viewer's.
   virtual double text_width(const TextStyle& style, const std::string& text) const = 0;
 
-  /// The map with its frame, overlay, path, start and goal; its upper left corner and the pixels of a cell's edge.
+  /// The map with its frame, overlay, path, start and goal; its upper left corner and the pixels of a cell's
+  /// edge.
   virtual void map(double left, double top, double scale, const Scenario& scenario, const Answer& answer,
-           const Overlay& overlay) = 0;
+                   const Overlay& overlay) = 0;
   virtual void start_mark(double x, double y, double radius) = 0;
   virtual void goal_mark(double x, double y, double radius) = 0;
   /// A piece of a path, level, as the legend shows it.

@@ -10,8 +10,9 @@
 
 namespace pathrace::results {
 
-/// Ground, overlay, grid lines, obstacles, frame, path, goal and start, in cell units: cell (0, 0) covers -0.5..0.5.
-/// A cell is drawn with about `scale` pixels. The paints are written as they are: colours or var(--name).
+/// Ground, overlay, grid lines, obstacles, frame, path, goal and start, in cell units: cell (0, 0) covers
+/// -0.5..0.5. A cell is drawn with about `scale` pixels. The paints are written as they are: colours or
+/// var(--name).
 void write_svg_map(std::ostream& out, const Scenario& scenario, const Answer& answer, const Overlay& overlay,
                    double scale, const Palette<std::string>& paints);
 

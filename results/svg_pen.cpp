@@ -50,7 +50,7 @@ double SvgPen::text_width(const TextStyle& style, const std::string& text) const
 }
 
 void SvgPen::map(double left, double top, double scale, const Scenario& scenario, const Answer& answer,
-           const Overlay& overlay) {
+                 const Overlay& overlay) {
   fmt::print(out_, "<g transform=\"translate({} {}) scale({:.6g}) translate(0.5 0.5)\">\n", left, top, scale);
   write_svg_map(out_, scenario, answer, overlay, scale, paints_);
   out_ << "</g>\n";

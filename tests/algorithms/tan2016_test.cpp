@@ -107,7 +107,8 @@ TEST(Tan2016, GivesTheSameRecordOnEveryExecutorWhateverItsTable) {
 }
 
 TEST(Tan2016, DrawsCirclesPathAndPheromoneWithoutChangingItsRecord) {
-  const Scenario scenario = scenario_of({grid_of({".....", ".....", "..#..", ".....", "....."}), {0, 2}, {4, 2}});
+  const Scenario scenario =
+      scenario_of({grid_of({".....", ".....", "..#..", ".....", "....."}), {0, 2}, {4, 2}});
   const Entrant entrant = bench::roster().enter(parse_call("tan2016:ants=5"));
   const std::unique_ptr<Executor> executor = bench::make_executor("serial", 1);
   Overlay overlay;
@@ -117,7 +118,7 @@ TEST(Tan2016, DrawsCirclesPathAndPheromoneWithoutChangingItsRecord) {
   EXPECT_DOUBLE_EQ(overlay.circles[0].radius, std::sqrt(0.5));
   EXPECT_EQ(overlay.polyline, (std::vector<Point>{{0, 2}, {2, 2}, {4, 2}}));
   ASSERT_EQ(overlay.field.size(), 25U);
-  EXPECT_EQ(overlay.field[2 * 5 + 2], 0);                          // blocked
+  EXPECT_EQ(overlay.field[2 * 5 + 2], 0);                         // blocked
   EXPECT_GT(overlay.field[1 * 5 + 1], overlay.field[4 * 5 + 4]);  // where ants pass, and where none does
   EXPECT_EQ(digest(drawn), digest(run({"tan2016:ants=5", walks(50)}, scenario)));
 }
