@@ -163,7 +163,7 @@ inline int choose(const ChoicePoint& at, std::uint64_t bits, float q0) {
 namespace vectorised {
 
 inline std::int32_t four_bytes(const std::uint8_t* from) {
-  std::int32_t word;
+  std::int32_t word = 0;
   std::memcpy(&word, from, sizeof word);
   return word;
 }

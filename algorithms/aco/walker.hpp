@@ -75,7 +75,7 @@ class Walker {
     explicit Terms(const Ground& ground);
 
     const TrailRow* rows;
-    std::array<std::int32_t, direction_count> offsets;
+    std::array<std::int32_t, direction_count> offsets{};
     std::ptrdiff_t stride;
     std::uint32_t goal;
     float least_strength;
@@ -85,7 +85,7 @@ class Walker {
   enum class Outcome { goes_on, arrived, died };
 
   template <bool greedy, bool with_places>
-  void run_lanes(std::size_t begin, std::size_t end);
+  void run_lanes(std::size_t next, std::size_t end);
   template <bool greedy, bool with_places>
   Outcome step(Lane& lane, const Terms& terms) const;
   void begin(Lane& lane, std::size_t ant) const;
