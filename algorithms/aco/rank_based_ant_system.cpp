@@ -49,8 +49,9 @@ class RankBasedAntSystem final : public PheromoneRule {
     const std::size_t wanted = std::min(ranking_.size(), static_cast<std::size_t>(ranks_ - 1));
     const auto end = ranking_.begin() + static_cast<std::ptrdiff_t>(wanted);
     std::partial_sort(ranking_.begin(), end, ranking_.end(), [&](std::size_t a, std::size_t b) {
-      const auto order = colony.walks()[a].length <=> colony.walks()[b].length;
-      return order == 0 ? a < b : order < 0;
+      const LatticeLength length_a = colony.walks()[a].length;
+      const LatticeLength length_b = colony.walks()[b].length;
+      return length_a == length_b ? a < b : length_a < length_b;
     });
   }
 
