@@ -8,7 +8,6 @@ namespace pathrace::algorithms {
 
 Walker::Terms::Terms(const Ground& ground)
     : rows(ground.trail.rows()),
-      offsets{},
       stride(static_cast<std::ptrdiff_t>(ground.nest.stride())),
       goal(static_cast<std::uint32_t>(ground.nest.goal())),
       least_strength(ground.trail.least_strength()),
