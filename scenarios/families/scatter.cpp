@@ -1,7 +1,7 @@
 // Scattered single cells: no two blocked cells share an edge, many touch at a corner.
 //
-// The maps on which the move rules differ most: two cells that touch at a corner are a wall for `strict`, a
-// door for `squeeze`... of neither: a diagonal between them is legal under `free` alone.
+// The maps on which the move rules differ most: the diagonal step between two cells that touch at a corner is
+// legal under `free` alone, so a chain of them is a wall under every other rule.
 #include <algorithm>
 
 #include "scenarios/generated.hpp"

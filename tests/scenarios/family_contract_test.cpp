@@ -125,7 +125,7 @@ TEST_P(FamilyContract, EveryIntegerParameterWorksAtBothEndsOfItsRange) {
   }
 }
 
-TEST_P(FamilyContract, StartAndGoalFollowTheRuleOfTheId) {
+TEST_P(FamilyContract, EveryRuleOfEndsGivesTwoDifferentEnds) {
   const Library library;
   if (family().parameters.empty()) return;
   const std::string id = resized(family().library.back(), 20, 4);
