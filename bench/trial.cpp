@@ -25,6 +25,7 @@ void fail(TrialRecord& record, Verdict verdict, std::string_view why) {
 void call_planner(const Entrant& entrant, const Scenario& scenario, Context& context, TrialRecord& record) {
   const Clock::time_point begin = Clock::now();
   try {
+    if (entrant.card->navigates()) throw Unsupported("navigates among moving discs; this map stands still");
     const std::unique_ptr<MapPlanner> planner = entrant.card->make(entrant.values)(scenario.terrain);
     record.costs.setup_s = seconds_since(begin);
     record.answer = planner->plan(scenario.start, scenario.goal, context);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/budget.hpp"
+#include "core/navigator.hpp"
 #include "core/parameters.hpp"
 #include "core/planner.hpp"
 
@@ -41,8 +42,12 @@ struct PlannerCard {
   std::vector<ParameterCard> parameters;
   /// Every parameter in canonical spelling, given values over the defaults. Throws InputError.
   std::function<ParameterValues(const ParameterValues&)> complete;
-  /// The planner with these settings. Throws InputError.
+  /// The planner with these settings; empty for navigators. Throws InputError.
   std::function<Planner(const ParameterValues&)> make;
+  /// The navigator with these settings; empty for planners of static maps. Throws InputError.
+  std::function<NavigatorMaker(const ParameterValues&)> make_navigator;
+
+  bool navigates() const { return static_cast<bool>(make_navigator); }
 };
 
 /// Fills in `parameters`, `complete` and `make` from a schema and a factory `Planner(const Settings&)`.
@@ -52,6 +57,21 @@ PlannerCard with_parameters(PlannerCard card, const Schema<Settings>& schema, Fa
   card.complete = [schema](const ParameterValues& given) { return schema.print(schema.settings(given)); };
   card.make = [schema, factory](const ParameterValues& given) -> Planner {
     return factory(schema.settings(given));
+  };
+  return card;
+}
+
+/// The same for a navigator: the factory is `std::unique_ptr<Navigator>(const Settings&)`, called for each
+/// run. The card races on the track `dynamic`.
+template <typename Settings, typename Factory>
+PlannerCard with_navigator_parameters(PlannerCard card, const Schema<Settings>& schema, Factory factory) {
+  card.track = Track::dynamic;
+  card.parameters = schema.cards();
+  card.complete = [schema](const ParameterValues& given) { return schema.print(schema.settings(given)); };
+  card.make_navigator = [schema, factory](const ParameterValues& given) -> NavigatorMaker {
+    return [settings = schema.settings(given), factory]() -> std::unique_ptr<Navigator> {
+      return factory(settings);
+    };
   };
   return card;
 }

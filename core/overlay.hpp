@@ -1,4 +1,4 @@
-// An overlay: what a planner thinks of a map, for pictures. No result depends on it.
+// An overlay: what a planner or a navigator thinks, for pictures. No result depends on it.
 #pragma once
 
 #include <vector>
@@ -18,6 +18,7 @@ struct OverlayCircle {
 struct Overlay {
   std::vector<OverlayCircle> circles;
   std::vector<Point> polyline;
+  std::vector<Point> points;  ///< scattered ones, such as the particles of a swarm
   std::vector<double> field;  ///< one value per cell, row by row, width * height of the map
 };
 

@@ -14,12 +14,14 @@ namespace pathrace {
 enum class Track {
   lattice,    ///< each step is a legal move from one cell centre to the next
   any_angle,  ///< each segment keeps out of the blocked squares
+  dynamic,    ///< the positions of a robot among moving discs, one per step
 };
 
 template <>
 inline constexpr auto names_of<Track> = std::to_array<std::pair<Track, std::string_view>>({
     {Track::lattice, "lattice"},
     {Track::any_angle, "any_angle"},
+    {Track::dynamic, "dynamic"},
 });
 
 struct Path {

@@ -45,10 +45,12 @@ inline TrialRecord run(const TrialSetting& setting, const Scenario& scenario) {
                           root_stream(setting.seed, scenario.id, 0), *executor);
 }
 
-/// Every planner of the roster with its defaults, and the variants whose code paths differ.
+/// Every planner of static maps with its defaults, and the variants whose code paths differ.
 inline std::vector<std::string> calls_under_test() {
   std::vector<std::string> calls;
-  for (const PlannerCard& card : bench::roster().cards()) calls.push_back(card.name);
+  for (const PlannerCard& card : bench::roster().cards()) {
+    if (!card.navigates()) calls.push_back(card.name);
+  }
   calls.insert(calls.end(),
                {"as:dead_end=backtrack", "as:dead_end=revisit_with_loop_erasure",
                 "as:heuristic=inv_step,beta=2.5,alpha=1.5", "as:answer=argmax_pheromone,both_ways=false",
