@@ -104,7 +104,8 @@ void Colony::make_walkers(const Executor& executor) {
   grain_ = (walks_.size() + chunks - 1) / chunks;
   walkers_.clear();
   for (std::size_t begin = 0; begin < walks_.size(); begin += grain_) {
-    walkers_.emplace_back(groups_.empty() ? *ground_ : *groups_[begin / grain_]->ground);
+    walkers_.emplace_back(groups_.empty() ? *ground_ : *groups_[begin / grain_]->ground,
+                          std::min(grain_, Walker::lanes_for(nest_.size())));
   }
 }
 

@@ -20,6 +20,7 @@
 #include <limits>
 #include <vector>
 
+#include "algorithms/aco/huge_pages.hpp"
 #include "core/moves.hpp"
 
 namespace pathrace::algorithms {
@@ -106,7 +107,7 @@ class Trail {
   float least_strength_ = 0;
   float least_desirability_ = 1;  // of legal steps
   float unit_ = 1;                // stored tau whose strength is 1, when alpha is not 1
-  std::vector<TrailRow> rows_;
+  std::vector<TrailRow, HugePages<TrailRow>> rows_;
   std::vector<Stored> stored_;  // tau / scale, when alpha is not 1; else the strengths themselves
 };
 

@@ -105,6 +105,14 @@ bool Walker::may_go_on(Lane& lane) const {
   return true;
 }
 
+void Walker::fetch(const Lane& lane, const TrailRow* row, std::ptrdiff_t stride) {
+  const std::uint8_t* marks = lane.marks + lane.cell;
+  __builtin_prefetch(row);
+  __builtin_prefetch(marks - stride);
+  __builtin_prefetch(marks);
+  __builtin_prefetch(marks + stride);
+}
+
 template <bool greedy, bool with_places>
 Walker::Outcome Walker::step(Lane& lane, const Terms& terms) const {
   if (lane.decisions == lane.pause && !may_go_on(lane)) return Outcome::died;
@@ -124,6 +132,7 @@ Walker::Outcome Walker::step(Lane& lane, const Terms& terms) const {
   lane.recent.add(direction);
   *lane.next++ = static_cast<std::uint8_t>(direction);
   if (with_places) lane.place[target] = static_cast<std::uint32_t>(lane.length() + 1);
+  fetch(lane, terms.rows + target, terms.stride);
   return target == terms.goal ? Outcome::arrived : Outcome::goes_on;
 }
 
@@ -170,6 +179,7 @@ Walker::Outcome Walker::back_up(Lane& lane) const {
   if (lane.length() == 0) return Outcome::died;  // all that can be reached has been seen
   const std::uint8_t direction = *--lane.next;
   lane.cell = static_cast<std::uint32_t>(ground_.nest.moves().step(lane.cell, opposite(direction)));
+  fetch(lane, ground_.trail.rows() + lane.cell, static_cast<std::ptrdiff_t>(ground_.nest.stride()));
   lane.behind = lane.further = lane.cell;  // marked long ago, like all of the path
   ++lane.pops;
   if (ground_.keep_popped) lane.popped.push_back({lane.cell, direction});

@@ -37,9 +37,14 @@ struct Ground {
 /// Runs ants one after another or side by side. Not for use by two threads at once.
 class Walker {
  public:
-  static constexpr std::size_t default_lanes = 4;
+  /// As many lanes as are fastest on a map of this many cells: where what ants read no longer fits the
+  /// first-level cache, a step is mostly waiting, and more ants are needed to fill the wait. Fewer again
+  /// where their memory would run to gigabytes.
+  static constexpr std::size_t lanes_for(std::size_t cells) {
+    return cells > 1U << 12 && cells < 1U << 21 ? 12 : 4;
+  }
 
-  explicit Walker(const Ground& ground, std::size_t lanes = default_lanes);
+  explicit Walker(const Ground& ground, std::size_t lanes);
 
   /// Ant i draws from stream.fork(i), one draw per decision (loop erasure draws twice when it is stuck), and
   /// ends at the goal, dead, or after `step_limit` decisions. Writes walks[i] for i in begin..end-1.
@@ -90,6 +95,8 @@ class Walker {
   Outcome step(Lane& lane, const Terms& terms) const;
   void begin(Lane& lane, std::size_t ant) const;
   void finish(Lane& lane, bool arrived) const;
+  /// Asks for what the lane's next step reads, while other lanes take theirs.
+  static void fetch(const Lane& lane, const TrailRow* row, std::ptrdiff_t stride);
   bool may_go_on(Lane& lane) const;
   /// Marks what is not marked yet.
   static void settle(Lane& lane);

@@ -30,7 +30,7 @@ struct Field {
   }
 
   std::vector<Walk> walk(DeadEnd dead_end, std::size_t ants, std::uint64_t seed,
-                         std::uint64_t limit = no_limit, std::size_t lanes = Walker::default_lanes) const {
+                         std::uint64_t limit = no_limit, std::size_t lanes = 4) const {
     std::vector<Walk> walks(ants);
     const Ground shared = ground(dead_end);
     Walker(shared, lanes).run(0, ants, Stream(seed), limit, Meter({}), walks);
