@@ -18,6 +18,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double pilot_limit_s = 0.15;
 constexpr double all_pilots_s = 2.0;
+constexpr std::size_t rounds = 3;
 constexpr double unknown_share =
     0.1;  // of its work that a cut trial without a work budget is taken to have done
 
@@ -29,13 +30,18 @@ double seconds_since(Clock::time_point begin) {
 struct Group {
   std::size_t entrant = 0;
   double cells = 0;
-  std::vector<std::size_t> trials;
-  double trial_s = -1;  // measured, or -1
+  std::vector<std::size_t> trials;     // indices into the plan
+  std::vector<std::size_t> positions;  // of the same trials in the list that was asked about
+  double measured_s = 0;               // sum over the pilots
+  std::size_t pilots = 0;
+
+  double trial_s() const { return measured_s / static_cast<double>(pilots); }
 };
 
 std::vector<Group> groups_of(const TrialPlan& plan, const std::vector<std::size_t>& trials) {
   std::map<std::pair<std::size_t, int>, Group> groups;
-  for (const std::size_t index : trials) {
+  for (std::size_t position = 0; position < trials.size(); ++position) {
+    const std::size_t index = trials[position];
     const Trial& trial = plan.trials[index];
     const OccupancyGrid& grid = plan.scenarios[trial.scenario].grid();
     const auto cells = static_cast<std::uint64_t>(grid.width()) * static_cast<std::uint64_t>(grid.height());
@@ -43,6 +49,7 @@ std::vector<Group> groups_of(const TrialPlan& plan, const std::vector<std::size_
     group.entrant = trial.entrant;
     group.cells = std::max(group.cells, static_cast<double>(cells));
     group.trials.push_back(index);
+    group.positions.push_back(position);
   }
   std::vector<Group> list;
   for (auto& entry : groups) list.push_back(std::move(entry.second));
@@ -85,12 +92,29 @@ double measure(const TrialPlan& plan, const Trial& trial, const RunOptions& opti
 double borrowed(const Group& group, const std::vector<Group>& groups) {
   double best = 0;
   for (const Group& other : groups) {
-    if (other.trial_s < 0) continue;
-    const double scaled = other.trial_s * group.cells / other.cells;
+    if (other.pilots == 0) continue;
+    const double scaled = other.trial_s() * group.cells / other.cells;
     if (other.entrant == group.entrant) return scaled;
     best = std::max(best, scaled);
   }
   return best;
+}
+
+// How many ran.
+std::size_t run_pilots(const TrialPlan& plan, const RunOptions& options, std::vector<Group>& groups) {
+  const Clock::time_point begin = Clock::now();
+  std::size_t pilots = 0;
+  for (std::size_t round = 0; round < rounds; ++round) {
+    for (Group& group : groups) {
+      if (seconds_since(begin) > all_pilots_s) return pilots;
+      if (group.pilots >= group.trials.size()) continue;
+      const std::size_t place = group.trials.size() * (2 * ((round + 1) % rounds) + 1) / (2 * rounds);
+      group.measured_s += measure(plan, plan.trials[group.trials[place]], options);
+      ++group.pilots;
+      ++pilots;
+    }
+  }
+  return pilots;
 }
 
 }  // namespace
@@ -99,15 +123,12 @@ Estimate estimate_time(const TrialPlan& plan, const std::vector<std::size_t>& tr
                        const RunOptions& options) {
   std::vector<Group> groups = groups_of(plan, trials);
   Estimate estimate;
-  const Clock::time_point begin = Clock::now();
-  for (Group& group : groups) {
-    if (seconds_since(begin) > all_pilots_s) break;
-    group.trial_s = measure(plan, plan.trials[group.trials[group.trials.size() / 2]], options);
-    ++estimate.pilots;
-  }
+  estimate.pilots = run_pilots(plan, options, groups);
+  estimate.trial_s.resize(trials.size());
   double work_s = 0;
   for (const Group& group : groups) {
-    const double trial_s = group.trial_s >= 0 ? group.trial_s : borrowed(group, groups);
+    const double trial_s = group.pilots > 0 ? group.trial_s() : borrowed(group, groups);
+    for (const std::size_t position : group.positions) estimate.trial_s[position] = trial_s;
     work_s += trial_s * static_cast<double>(group.trials.size());
   }
   const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));

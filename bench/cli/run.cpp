@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <iostream>
 #include <memory>
@@ -132,8 +133,7 @@ std::vector<std::size_t> missing_trials(const TrialPlan& plan, const results::St
 }
 
 std::string announcement(const TrialPlan& plan, const std::vector<std::size_t>& missing,
-                         const RunOptions& options) {
-  const Estimate estimate = estimate_time(plan, missing, options);
+                         const Estimate& estimate, const RunOptions& options) {
   const std::size_t recorded = plan.trials.size() - missing.size();
   return fmt::format("{}: {} trials ({} planners, {} scenarios){}; about {} with {} job{} of {} thread{}",
                      plan.campaign.name, plan.trials.size(), plan.entrants.size(), plan.scenarios.size(),
@@ -142,13 +142,18 @@ std::string announcement(const TrialPlan& plan, const std::vector<std::size_t>& 
                      options.threads, options.threads == 1 ? "" : "s");
 }
 
-void race(const TrialPlan& plan, const std::vector<std::size_t>& missing, const RunOptions& options,
-          results::Store& store) {
-  Progress progress(plan.trials.size() - missing.size(), plan.trials.size());
+void race(const TrialPlan& plan, const std::vector<std::size_t>& missing, const Estimate& estimate,
+          const RunOptions& options, results::Store& store) {
+  std::vector<double> expected_s(plan.trials.size());
+  for (std::size_t i = 0; i < missing.size(); ++i) expected_s[missing[i]] = estimate.trial_s[i];
+  Progress progress(plan.trials.size() - missing.size(), plan.trials.size(),
+                    std::accumulate(expected_s.begin(), expected_s.end(), 0.0));
+  std::atomic<double> worked_s{0};
   Recorder recorder(store, stop_requested,
-                    [&progress](std::size_t done_count) { progress.update(done_count); });
+                    [&](std::size_t done_count) { progress.update(done_count, worked_s.load()); });
   run_trials(plan, missing, options, stop_requested,
              [&](const Trial& trial, const Scenario& scenario, const TrialRecord& record) {
+               worked_s.fetch_add(expected_s[static_cast<std::size_t>(&trial - plan.trials.data())]);
                recorder.add(results::make_row(trial.key, scenario, plan.entrants[trial.entrant], trial.budget,
                                               record));
              });
@@ -163,7 +168,8 @@ int run_command(const RunCommand& command) {
     throw InputError("--resume needs the folder to go on with: --out DIR");
   const TrialPlan plan = make_plan(command, folder);
   if (command.dry_run) {
-    fmt::print("{}\n", announcement(plan, missing_trials(plan, nullptr), command.options));
+    const std::vector<std::size_t> all = missing_trials(plan, nullptr);
+    fmt::print("{}\n", announcement(plan, all, estimate_time(plan, all, command.options), command.options));
     return done;
   }
   if (command.out.empty()) folder = next_free_folder(plan.campaign.name);
@@ -174,8 +180,9 @@ int run_command(const RunCommand& command) {
   std::signal(SIGTERM, request_stop);
   store_scenarios(plan, !command.no_features, command.options, stop_requested, store);
   if (!missing.empty()) {
-    say(announcement(plan, missing, command.options));
-    race(plan, missing, command.options, store);
+    const Estimate estimate = estimate_time(plan, missing, command.options);
+    say(announcement(plan, missing, estimate, command.options));
+    race(plan, missing, estimate, command.options, store);
   } else {
     say(fmt::format("{}: all {} trials are recorded already", plan.campaign.name, plan.trials.size()));
   }
