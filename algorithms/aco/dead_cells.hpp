@@ -2,10 +2,10 @@
 //
 // An ant is stuck when all neighbours are on its own list of visited cells, which says little about the map:
 // forbidding the cell to everybody, as published, can cut the best way and even the goal off (algorithms.md
-// 2.6). The safe variant forbids a cell v only when it is *dominated*: any two living neighbours a and b of v
-// have a legal step between them. A way a-v-b is then never shorter than a-b, for a step is at most sqrt 2
-// long and two are at least 2; so the lengths of all shortest ways between other cells stay, and marking
-// again and again fills a pocket from its corners.
+// 2.6). The safe variant forbids a cell v only when it is *dominated*: between any two living neighbours a
+// and b of v there is a way beside v, of one step or of two, that is no longer than a-v-b. So the lengths of
+// all shortest ways between other cells stay. Once a cell is lost, its neighbours have fewer pairs to serve,
+// so those that ants have stepped back from are looked at again: a pocket fills from its corners, row by row.
 //
 // Tan et al., 3.3.3 ("dead-lock tabu table"); Pu et al., 1.2.2 (the cell becomes an obstacle of the map).
 #pragma once
@@ -41,13 +41,15 @@ class DeadCells {
   /// guard, as Tan does.
   DeadCells(LiveMoves& moves, DeadTable table, Layer layer, std::size_t start, std::size_t goal);
 
-  /// An ant has stepped back from this cell. Returns whether the cell was marked now.
-  bool stepped_back_from(std::size_t cell);
+  /// An ant has stepped back from this cell. Returns the cells that are lost by this, in the order in which
+  /// they were marked; valid until the next call.
+  const std::vector<std::size_t>& stepped_back_from(std::size_t cell);
 
   std::size_t marked() const { return marked_; }
 
  private:
-  bool mark_literally(std::size_t cell);
+  void mark_literally(std::size_t cell);
+  void mark_dominated(std::size_t cell);
   bool connected();
 
   LiveMoves& moves_;
@@ -56,7 +58,9 @@ class DeadCells {
   std::size_t start_;
   std::size_t goal_;
   std::size_t marked_ = 0;
-  std::vector<std::uint32_t> seen_;  // number of the fill that saw the cell
+  std::vector<std::size_t> lost_;     // by the last call
+  std::vector<std::uint8_t> popped_;  // cells that some ant has stepped back from; global_dominated only
+  std::vector<std::uint32_t> seen_;   // number of the fill that saw the cell
   std::vector<std::size_t> frontier_;
   std::uint32_t fills_ = 0;
 };

@@ -13,7 +13,7 @@ void DeadEnds::mark(Colony& colony, std::size_t count) {
   for (std::size_t k = 0; k < count; ++k) {
     for (const Step& step : colony.walks()[k].popped) {
       const std::size_t cell = colony.nest().moves().step(step.index, step.direction);
-      if (cells_->stepped_back_from(cell)) close_around(colony, cell);
+      for (const std::size_t lost : cells_->stepped_back_from(cell)) close_around(colony, lost);
     }
   }
 }

@@ -154,7 +154,16 @@ TEST(Dominated, HoldsForDeadEndsAndConvexCornersButNotOnTheOnlyWay) {
   EXPECT_TRUE(dominated(moves, grid.index({3, 2})));   // one way in
   EXPECT_FALSE(dominated(moves, grid.index({2, 2})));  // between (1,2) and (3,2)
   const LiveMoves straight(grid, MoveRule::four);
-  EXPECT_FALSE(dominated(straight, grid.index({0, 0})));  // without diagonals E and S are not neighbours
+  EXPECT_TRUE(dominated(straight, grid.index({0, 0})));   // from E to S over (1,1) is as short
+  EXPECT_FALSE(dominated(straight, grid.index({2, 2})));  // between (1,2) and (3,2)
+}
+
+TEST(Dominated, AWayBesideMayBendOnceButBeNoLonger) {
+  const OccupancyGrid row = testing::grid_of({"....", "....", "...."});
+  LiveMoves moves(row, MoveRule::strict);
+  EXPECT_FALSE(dominated(moves, row.index({1, 0})));  // W to E is 2 through it, 2 sqrt 2 over (1,1)
+  moves.lose(row.index({0, 0}));
+  EXPECT_TRUE(dominated(moves, row.index({1, 0})));  // SW to E is 1 + sqrt 2 either way
 }
 
 TEST(DeadCells, DominatedMarksNeverChangeTheOptimumHoweverManyThereAre) {
@@ -180,14 +189,37 @@ TEST(DeadCells, DominatedMarksNeverChangeTheOptimumHoweverManyThereAre) {
   }
 }
 
-TEST(DeadCells, DominatedMarksFillAPocketUpToItsMouth) {
-  // A blind alley, one cell wide and four deep.
+TEST(DeadCells, DominatedMarksFillAWidePocketOnceAllOfItWasSteppedBackFrom) {
+  // A room three cells wide and three deep, open to the north.
+  const OccupancyGrid grid =
+      testing::grid_of({".......", ".......", "##...##", "##...##", "##...##", "#######"});
+  Field field(grid, MoveRule::strict, {0, 0}, {6, 0});
+  DeadCells dead(field.moves, DeadTable::global_dominated, DeadCells::Layer::dead, grid.index({0, 0}),
+                 grid.index({6, 0}));
+  for (int y = 2; y <= 4; ++y) {  // from the mouth inwards: the last cells let the first go
+    for (int x = 2; x <= 4; ++x) dead.stepped_back_from(grid.index({x, y}));
+  }
+  EXPECT_EQ(dead.marked(), 9U);
+}
+
+TEST(DeadCells, ACellThatNobodySteppedBackFromIsNotLostWithItsNeighbours) {
+  const OccupancyGrid grid = testing::grid_of({"......", "####.."});
+  Field field(grid, MoveRule::strict, {5, 0}, {5, 1});
+  DeadCells dead(field.moves, DeadTable::global_dominated, DeadCells::Layer::dead, grid.index({5, 0}),
+                 grid.index({5, 1}));
+  EXPECT_TRUE(dead.stepped_back_from(grid.index({1, 0})).empty());  // the way to (0,0)
+  const std::vector<std::size_t> lost = {grid.index({0, 0}), grid.index({1, 0})};
+  EXPECT_EQ(dead.stepped_back_from(grid.index({0, 0})), lost);
+  EXPECT_TRUE(field.moves.alive(grid.index({2, 0})));
+}
+
+TEST(DeadCells, TheOnlyWayIsNeverMarked) {
   const OccupancyGrid grid = testing::grid_of({".......", ".####.#", "......#", "#######"});
   Field field(grid, MoveRule::strict, {0, 0}, {6, 0});
   DeadCells dead(field.moves, DeadTable::global_dominated, DeadCells::Layer::dead, grid.index({0, 0}),
                  grid.index({6, 0}));
-  EXPECT_FALSE(dead.stepped_back_from(grid.index({3, 2})));  // still the way between (2,2) and (4,2)
-  EXPECT_FALSE(dead.stepped_back_from(grid.index({0, 0})));  // the start
+  EXPECT_TRUE(dead.stepped_back_from(grid.index({3, 2})).empty());  // still the way between (2,2) and (4,2)
+  EXPECT_TRUE(dead.stepped_back_from(grid.index({0, 0})).empty());  // the start
 }
 
 TEST(DeadCells, NoTableAndAnAntsOwnMarkNothing) {
@@ -195,8 +227,9 @@ TEST(DeadCells, NoTableAndAnAntsOwnMarkNothing) {
   for (const DeadTable table : {DeadTable::none, DeadTable::per_ant}) {
     Field field(grid, MoveRule::strict, {0, 0}, {2, 2});
     DeadCells dead(field.moves, table, DeadCells::Layer::dead, grid.index({0, 0}), grid.index({2, 2}));
-    for (const Cell cell : testing::free_cells_of(grid))
-      EXPECT_FALSE(dead.stepped_back_from(grid.index(cell)));
+    for (const Cell cell : testing::free_cells_of(grid)) {
+      EXPECT_TRUE(dead.stepped_back_from(grid.index(cell)).empty());
+    }
   }
 }
 

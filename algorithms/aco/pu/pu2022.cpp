@@ -196,6 +196,7 @@ class Pu2022AnyAngle final : public Pu2022 {
 PlannerCard card_named(std::string name, std::string summary) {
   PlannerCard card;
   card.name = std::move(name);
+  card.version = 2;
   card.summary = std::move(summary);
   card.source =
       "after Pu X. et al., 2022, p. 767; the teaching after Zhang, Jin, Expert Syst. Appl. 148, 2020";

@@ -126,6 +126,7 @@ class Tan2016 final : public PheromoneRule {
 PlannerCard tan2016_card() {
   PlannerCard card;
   card.name = "tan2016";
+  card.version = 2;
   card.summary = "Ant System with a pre-planned path, a price on turns and a table of dead ends";
   card.source = "Tan T., Liu S., Zhang Y., Computer Simulation 2016, eq. (4)-(6); parameter values inferred";
   card.default_budget.iterations = 100;
