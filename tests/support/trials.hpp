@@ -58,6 +58,11 @@ inline std::vector<std::string> calls_under_test() {
                 "tan2016:dead_table=global_literal", "tan2016:dead_end=die,dead_table=none",
                 "pu2022:dead_table=global_literal", "pu2022:teaching=parameters",
                 "pu2022:teaching=none,update=all_ants"});
+  calls.insert(
+      calls.end(),
+      {"xie2010:insertion=general",
+       "xie2010:insertion=blind,crossover=free,first_generation=repaired,elitism=false",
+       "xie2010:insertion=general,repair=local_search,mutation=stretch,mutation_rate=0.5,initial_genes=8"});
   return calls;
 }
 
