@@ -24,7 +24,7 @@ Scenario question() {
 }
 
 Overlay overlay() {
-  return {{{{1, 1}, 0.75}}, {{0, 0}, {1, 1}, {2, 2}}, {1, 1, 1, 1, 0, 5, 1, 1, 5}};
+  return {{{{1, 1}, 0.75}}, {{0, 0}, {1, 1}, {2, 2}}, {}, {1, 1, 1, 1, 0, 5, 1, 1, 5}};
 }
 
 std::string svg(const Overlay& drawn) {
@@ -57,7 +57,7 @@ TEST(SvgOverlay, WithoutOneThePictureIsAsBefore) {
 TEST(CanvasOverlay, ShadesFreeCellsByTheirValue) {
   const OccupancyGrid grid = grid_of({"..#"});
   Canvas canvas(30, 10, palette.ground);
-  paint_field(canvas, {0, 0, 10}, {{}, {}, {1, 5, 5}}, grid);
+  paint_field(canvas, {0, 0, 10}, {{}, {}, {}, {1, 5, 5}}, grid);
   EXPECT_EQ(canvas.at(5, 5), palette.ground);   // the least value
   EXPECT_EQ(canvas.at(25, 5), palette.ground);  // blocked
   EXPECT_LT(canvas.at(15, 5).blue, 0x60);       // amber, nine tenths of it
@@ -65,7 +65,7 @@ TEST(CanvasOverlay, ShadesFreeCellsByTheirValue) {
 
 TEST(CanvasOverlay, DrawsTheCirclesOfThePlanner) {
   Canvas canvas(30, 30, palette.ground);
-  paint_shapes(canvas, {0, 0, 10}, {{{{1, 1}, 1}}, {}, {}});
+  paint_shapes(canvas, {0, 0, 10}, {{{{1, 1}, 1}}, {}, {}, {}});
   EXPECT_NE(canvas.at(25, 15), palette.ground);  // centre at 15,15, radius 10
   EXPECT_EQ(canvas.at(15, 15), palette.ground);
 }
