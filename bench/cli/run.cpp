@@ -116,7 +116,7 @@ results::Store open_or_create(const RunCommand& command, const RunFolder& folder
   if (store.identity().hash != identity.hash) {
     throw InputError(
         fmt::format("{}: holds another campaign ('{}', seed {}, {} trials) than the one to resume ('{}', "
-                    "seed {}, {} trials)",
+                    "seed {}, {} trials); planners, their versions, budgets and scenarios must be the same",
                     folder.store().string(), store.identity().campaign, store.identity().seed,
                     store.identity().trials, identity.campaign, identity.seed, identity.trials));
   }
