@@ -63,6 +63,8 @@ inline std::vector<std::string> calls_under_test() {
       {"xie2010:insertion=general",
        "xie2010:insertion=blind,crossover=free,first_generation=repaired,elitism=false",
        "xie2010:insertion=general,repair=local_search,mutation=stretch,mutation_rate=0.5,initial_genes=8"});
+  calls.insert(calls.end(), {"pso:particles=10,life=8,waypoints_max=4",
+                             "pso:particles=12,life=6,topology=global,inertia=linear,birth=uniform"});
   return calls;
 }
 
