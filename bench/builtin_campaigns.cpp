@@ -49,9 +49,18 @@ name = "random-walk"
 name = "astar"
 [[planner]]
 name = "dijkstra"
+[[planner]]
+name = "straight"
+[[planner]]
+name = "potential-field"
+[[planner]]
+name = 'replan(astar)'
 
 [[scenarios]]
 select = ["set/starter"]
+[[scenarios]]
+select = ["discs/*/1..3"]
+budget = { iterations = 500 }   # of a navigator: steps
 )"},
     {"smoke", R"(
 [campaign]

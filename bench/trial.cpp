@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <new>
 
+#include "bench/dynamic_trial.hpp"
+#include "bench/guarded.hpp"
 #include "core/error.hpp"
 
 namespace pathrace::bench {
@@ -16,31 +17,15 @@ double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-void fail(TrialRecord& record, Verdict verdict, std::string_view why) {
-  record.verdict = verdict;
-  record.note = std::string(why);
-  record.answer.reset();
-}
-
 void call_planner(const Entrant& entrant, const Scenario& scenario, Context& context, TrialRecord& record) {
   const Clock::time_point begin = Clock::now();
-  try {
+  guarded(record, [&] {
     if (entrant.card->navigates()) throw Unsupported("navigates among moving discs; this map stands still");
     const std::unique_ptr<MapPlanner> planner = entrant.card->make(entrant.values)(scenario.terrain);
     record.costs.setup_s = seconds_since(begin);
     record.answer = planner->plan(scenario.start, scenario.goal, context);
     record.verdict = Verdict::solved;
-  } catch (const std::bad_alloc&) {
-    fail(record, Verdict::out_of_memory, "the planner ran out of memory");
-  } catch (const Unsupported& reason) {
-    fail(record, Verdict::unsupported, reason.what());
-  } catch (const InvalidScenario& reason) {
-    fail(record, Verdict::bad_scenario, reason.what());
-  } catch (const std::exception& error) {
-    fail(record, Verdict::crashed, error.what());
-  } catch (...) {
-    fail(record, Verdict::crashed, "the planner threw something that is no std::exception");
-  }
+  });
   record.costs.wall_s = seconds_since(begin);
 }
 
@@ -76,6 +61,7 @@ void judge(const Entrant& entrant, const Scenario& scenario, const Referee& refe
 
 TrialRecord run_trial(const Entrant& entrant, const Scenario& scenario, const Referee& referee,
                       const Budget& budget, const Stream& stream, Executor& executor, Overlay* overlay) {
+  if (scenario.world) return run_dynamic_trial(entrant, *scenario.world, budget, stream, executor);
   TrialRecord record;
   Meter meter(budget);
   Context context{stream, executor, meter, overlay};

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <set>
 #include <unordered_map>
 
@@ -16,7 +17,7 @@ constexpr int recorded_most_side = 512;
 
 // One planner per combination of listed values, in the order of the lists.
 std::vector<Entrant> entrants_of(const PlannerChoice& choice, const Catalogue& catalogue) {
-  std::vector<PlannerCall> calls{{choice.name, {}}};
+  std::vector<PlannerCall> calls{parse_call(choice.name)};  // `replan(astar)` is a name, too
   std::vector<std::string> suffixes{""};
   for (const auto& [parameter, values] : choice.values) {
     std::vector<PlannerCall> longer_calls;
@@ -58,9 +59,17 @@ class Planning {
         plan_.entrants.push_back(std::move(entrant));
       }
     }
+    std::vector<Selection> selected;
     for (const ScenarioChoice& choice : plan_.campaign.scenarios) {
       for (const std::string& pattern : choice.select) {
-        for (const std::string& id : library_.select(pattern)) add_scenario(id, choice);
+        for (const std::string& id : library_.select(pattern)) {
+          if (const auto index = add_scenario(id)) selected.push_back({*index, &choice});
+        }
+      }
+    }
+    for (const Selection& selection : selected) {
+      for (std::size_t entrant = 0; entrant < plan_.entrants.size(); ++entrant) {
+        if (races(entrant, selection.scenario)) add_trials(selection.scenario, entrant, *selection.choice);
       }
     }
     if (plan_.trials.empty())
@@ -69,24 +78,32 @@ class Planning {
   }
 
  private:
-  void add_scenario(const std::string& id, const ScenarioChoice& choice) {
-    std::size_t index = 0;
-    if (const auto known = index_of_.find(id); known != index_of_.end()) {
-      index = known->second;
-    } else {
-      try {
-        plan_.scenarios.push_back(library_.load(id));
-      } catch (const InvalidScenario& fault) {
-        if (!id.starts_with("movingai/")) throw;
-        plan_.left_out.emplace_back(fault.what());  // recorded data may be dirty; no planner answers for it
-        return;
-      }
-      index = plan_.scenarios.size() - 1;
-      index_of_[id] = index;
-      content_.push_back(content_hash(plan_.scenarios.back()));
+  struct Selection {
+    std::size_t scenario;
+    const ScenarioChoice* choice;
+  };
+
+  std::optional<std::size_t> add_scenario(const std::string& id) {
+    if (const auto known = index_of_.find(id); known != index_of_.end()) return known->second;
+    try {
+      plan_.scenarios.push_back(library_.load(id));
+    } catch (const InvalidScenario& fault) {
+      if (!id.starts_with("movingai/")) throw;
+      plan_.left_out.emplace_back(fault.what());  // recorded data may be dirty; no planner answers for it
+      return std::nullopt;
     }
-    for (std::size_t entrant = 0; entrant < plan_.entrants.size(); ++entrant)
-      add_trials(index, entrant, choice);
+    const std::size_t index = plan_.scenarios.size() - 1;
+    index_of_[id] = index;
+    content_.push_back(content_hash(plan_.scenarios.back()));
+    (plan_.scenarios.back().world ? has_worlds_ : has_maps_) = true;
+    return index;
+  }
+
+  // A planner races where it can; one that can race nowhere is recorded as unsupported everywhere.
+  bool races(std::size_t entrant, std::size_t scenario) const {
+    const bool navigates = plan_.entrants[entrant].card->navigates();
+    const bool moves = plan_.scenarios[scenario].world != nullptr;
+    return navigates == moves || !(navigates ? has_worlds_ : has_maps_);
   }
 
   void add_trials(std::size_t scenario, std::size_t entrant, const ScenarioChoice& choice) {
@@ -115,6 +132,8 @@ class Planning {
   std::unordered_map<std::string, std::size_t> index_of_;
   std::vector<std::uint64_t> content_;
   std::set<std::uint64_t> keys_;
+  bool has_maps_ = false;
+  bool has_worlds_ = false;
 };
 
 }  // namespace

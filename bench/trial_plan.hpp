@@ -1,7 +1,9 @@
 // A trial plan: a campaign with everything looked up, as an ordered list of keyed trials.
 //
 // Order: scenarios as selected, within each the planners as listed, within each the repetitions. The order is
-// for people and for resuming; no result depends on it.
+// for people and for resuming; no result depends on it. In a campaign with maps and dynamic worlds, planners
+// race on maps and navigators in worlds; a planner that nothing was selected for gets its trials all the
+// same, and is recorded as unsupported.
 #pragma once
 
 #include <cstdint>

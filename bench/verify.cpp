@@ -27,11 +27,23 @@ std::string text(const std::optional<double>& value) {
 std::string text(const std::optional<int>& value) {
   return value ? fmt::format("{}", *value) : "none";
 }
+std::string text(const std::optional<std::uint64_t>& value) {
+  return value ? fmt::format("{}", *value) : "none";
+}
 std::string text(std::uint64_t value) {
   return fmt::format("{}", value);
 }
 std::string text(const std::string& value) {
   return fmt::format("'{}'", value);
+}
+
+// A run's figures as text: exact, and equal where they are.
+std::string run_text(const std::optional<RunMetrics>& run) {
+  if (!run) return "none";
+  return fmt::format(
+      "{} steps, {} travelled, {} collisions, {} struck, clearance {}, {} oscillations, world {}", run->steps,
+      run->travelled, run->collisions, run->struck, text(run->min_clearance), run->oscillations,
+      hex(run->world_hash));
 }
 
 // What two rows of the same trial differ in, first column first; empty when they agree.
@@ -59,6 +71,8 @@ std::string first_difference(const TrialRow& stored, const TrialRow& rerun) {
   compare("turn_angle", stored.turn_angle, rerun.turn_angle);
   compare("clearance_min", stored.clearance_min, rerun.clearance_min);
   compare("clearance_mean", stored.clearance_mean, rerun.clearance_mean);
+  compare("run", run_text(stored.run), run_text(rerun.run));
+  compare("least_steps", stored.least_steps, rerun.least_steps);
   compare("evaluations", stored.work.evaluations, rerun.work.evaluations);
   compare("iterations", stored.work.iterations, rerun.work.iterations);
   compare("checks", stored.work.checks, rerun.work.checks);
@@ -86,6 +100,8 @@ std::uint64_t fingerprint(const TrialRow& row) {
     add(*metric);
   }
   add(row.turns);
+  add(row.least_steps);
+  hasher.add(std::string_view(run_text(row.run)));
   hasher.add(std::string_view(results::print_counters(row.counters)));
   return hasher.add(row.digest).add(results::recomputed_digest(row)).value();
 }

@@ -27,6 +27,41 @@ ParameterValues values_beside_defaults(const PlannerCard& card, ParameterValues 
   return values;
 }
 
+std::string usual_label(const PlannerCard& card, const ParameterValues& values) {
+  if (card.spell) return card.spell(values);
+  return spell_call(card.name, values_beside_defaults(card, values));
+}
+
+// Characters before the first of `ends` that stands outside parentheses opened on the way; a closing one ends
+// the piece with which its own opened.
+std::size_t piece_length(std::string_view text, std::string_view ends) {
+  int depth = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '(') ++depth;
+    if (text[i] == ')') --depth;
+    if (depth == 0 && ends.find(text[i]) != std::string_view::npos) return i;
+  }
+  return text.size();
+}
+
+// "key=value,key=value" into the call.
+void read_values(std::string_view text, std::string_view rest, PlannerCall& call) {
+  while (true) {
+    const std::size_t comma = piece_length(rest, ",");
+    const std::string_view item = rest.substr(0, comma);
+    const std::size_t equals = item.find('=');
+    if (equals == std::string_view::npos || equals == 0) {
+      throw InputError(fmt::format("planner call '{}': expected key=value, got '{}'", text, item));
+    }
+    const std::string key(item.substr(0, equals));
+    if (!call.values.emplace(key, item.substr(equals + 1)).second) {
+      throw InputError(fmt::format("planner call '{}' gives '{}' twice", text, key));
+    }
+    if (comma == rest.size()) return;
+    rest = rest.substr(comma + 1);
+  }
+}
+
 }  // namespace
 
 PlannerCard without_parameters(PlannerCard card, Planner planner) {
@@ -40,25 +75,21 @@ PlannerCard without_parameters(PlannerCard card, Planner planner) {
 
 PlannerCall parse_call(std::string_view text) {
   PlannerCall call;
-  const std::size_t colon = text.find(':');
-  call.name = std::string(text.substr(0, colon));
+  std::size_t end = std::min(text.find_first_of(":("), text.size());
+  call.name = std::string(text.substr(0, end));
   if (call.name.empty()) throw InputError(fmt::format("planner call '{}' names no planner", text));
-  if (colon == std::string_view::npos) return call;
-  std::string_view rest = text.substr(colon + 1);
-  while (true) {
-    const std::size_t comma = rest.find(',');
-    const std::string_view item = rest.substr(0, comma);
-    const std::size_t equals = item.find('=');
-    if (equals == std::string_view::npos || equals == 0) {
-      throw InputError(fmt::format("planner call '{}': expected key=value, got '{}'", text, item));
-    }
-    const std::string key(item.substr(0, equals));
-    if (!call.values.emplace(key, item.substr(equals + 1)).second) {
-      throw InputError(fmt::format("planner call '{}' gives '{}' twice", text, key));
-    }
-    if (comma == std::string_view::npos) return call;
-    rest = rest.substr(comma + 1);
+  if (end < text.size() && text[end] == '(') {
+    const std::size_t close = end + piece_length(text.substr(end), ")");
+    if (close == text.size()) throw InputError(fmt::format("planner call '{}': a ')' is missing", text));
+    call.values.emplace("planner", text.substr(end + 1, close - end - 1));
+    end = close + 1;
   }
+  if (end == text.size()) return call;
+  if (text[end] != ':') {
+    throw InputError(fmt::format("planner call '{}': expected ':', got '{}'", text, text.substr(end)));
+  }
+  read_values(text, text.substr(end + 1), call);
+  return call;
 }
 
 std::string Entrant::full_call() const {
@@ -88,8 +119,7 @@ Entrant Catalogue::enter(const PlannerCall& call, std::string label) const {
   } catch (const InputError& error) {
     throw InputError(fmt::format("planner '{}': {}", call.name, error.what()));
   }
-  entrant.label =
-      label.empty() ? spell_call(card.name, values_beside_defaults(card, entrant.values)) : std::move(label);
+  entrant.label = label.empty() ? usual_label(card, entrant.values) : std::move(label);
   return entrant;
 }
 

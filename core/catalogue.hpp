@@ -47,6 +47,9 @@ struct PlannerCard {
   /// The navigator with these settings; empty for planners of static maps. Throws InputError.
   std::function<NavigatorMaker(const ParameterValues&)> make_navigator;
 
+  /// How tables name a call, given every value; empty: the name with what differs from the defaults.
+  std::function<std::string(const ParameterValues&)> spell;
+
   bool navigates() const { return static_cast<bool>(make_navigator); }
 };
 
@@ -85,7 +88,8 @@ struct PlannerCall {
   ParameterValues values;
 };
 
-/// Throws InputError on a malformed call.
+/// `NAME`, `NAME:key=value,...`, or with a planner for a parameter, `NAME(PLANNER)`, which says the same as
+/// `NAME:planner=(PLANNER)`; commas in parentheses part nothing. Throws InputError on a malformed call.
 PlannerCall parse_call(std::string_view text);
 
 /// A card and settled values; everything a trial needs to run a planner.

@@ -13,6 +13,7 @@
 #include "core/meter.hpp"
 #include "core/metrics.hpp"
 #include "core/path.hpp"
+#include "core/run_metrics.hpp"
 
 namespace pathrace {
 
@@ -63,9 +64,11 @@ struct Costs {
   double wall_s = 0;   ///< planning, set-up on the map included
   double setup_s = 0;  ///< set-up on the map alone
   std::string backend;
-  int threads = 1;       ///< asked for
-  int threads_used = 1;  ///< seen running
-  bool crowded = false;  ///< other trials ran at the same time
+  int threads = 1;                       ///< asked for
+  int threads_used = 1;                  ///< seen running
+  bool crowded = false;                  ///< other trials ran at the same time
+  std::optional<double> step_ms_median;  ///< of a navigator's steps
+  std::optional<double> step_ms_p99;     ///< 99th percentile, the nearest rank
 };
 
 struct TrialRecord {
@@ -73,7 +76,8 @@ struct TrialRecord {
   Verdict verdict = Verdict::crashed;
   std::string note;  ///< why, where the verdict needs a reason
   Answer answer;
-  std::optional<PathMetrics> metrics;  ///< of a solved trial
+  std::optional<PathMetrics> metrics;  ///< of a solved trial on a static map
+  std::optional<RunMetrics> run;  ///< of a run through a dynamic world that kept the rules, solved or not
   Work work;
   std::vector<TracePoint> trace;
   std::vector<Counter> counters;  ///< what the planner counted beside its work

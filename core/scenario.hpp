@@ -10,6 +10,7 @@
 #include "core/grid.hpp"
 #include "core/lattice_length.hpp"
 #include "core/move_rule.hpp"
+#include "core/world.hpp"
 
 namespace pathrace {
 
@@ -31,6 +32,9 @@ struct Scenario {
   Cell start;
   Cell goal;
   Optimum optimum;
+  /// A dynamic world, or none. Where there is one it is the question, and what stands above is a still
+  /// picture of its beginning, for tables and maps: a cell is blocked where its centre lies in a disc.
+  std::shared_ptr<const World> world;
 
   const OccupancyGrid& grid() const { return *terrain.grid; }
 };
@@ -38,7 +42,7 @@ struct Scenario {
 /// Throws InvalidScenario unless start and goal are free cells of the map.
 void require_valid(const Scenario& scenario);
 
-/// Hash of map, rule, start and goal: what the question is, whatever it is called.
+/// Hash of map, rule, start and goal, or of the world: what the question is, whatever it is called.
 std::uint64_t content_hash(const Scenario& scenario);
 
 }  // namespace pathrace

@@ -98,6 +98,23 @@ void CanvasPen::map(double left, double top, double scale, const Scenario& scena
   start_mark(x + (scenario.start.x + 0.5) * scale, y + (scenario.start.y + 0.5) * scale, radius);
 }
 
+void CanvasPen::rectangle(double left, double top, double width, double height, Colour colour) {
+  canvas_.fill_rectangle(static_cast<int>(left), static_cast<int>(top), static_cast<int>(std::ceil(width)),
+                         static_cast<int>(std::ceil(height)), colour);
+}
+
+void CanvasPen::disc(Point centre, double radius, Colour colour) {
+  canvas_.fill_disc(centre, radius, colour);
+}
+
+void CanvasPen::ring(Point centre, double radius, double width, Colour colour) {
+  canvas_.draw_ring(centre, radius, width, colour);
+}
+
+void CanvasPen::line(const std::vector<Point>& points, double width, Colour colour) {
+  if (points.size() > 1) canvas_.stroke(segments_of(points), width, colour);
+}
+
 void CanvasPen::start_mark(double x, double y, double radius) {
   const double edge = radius * mark::start_edge;
   canvas_.fill_disc({x, y}, radius * mark::start_disc + edge / 2, palette.paper);

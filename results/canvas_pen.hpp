@@ -15,6 +15,10 @@ class CanvasPen : public Pen {
   double text_width(const TextStyle& style, const std::string& text) const override;
   void map(double left, double top, double scale, const Scenario& scenario, const Answer& answer,
            const Overlay& overlay) override;
+  void rectangle(double left, double top, double width, double height, Colour colour) override;
+  void disc(Point centre, double radius, Colour colour) override;
+  void ring(Point centre, double radius, double width, Colour colour) override;
+  void line(const std::vector<Point>& points, double width, Colour colour) override;
   void start_mark(double x, double y, double radius) override;
   void goal_mark(double x, double y, double radius) override;
   void path_mark(double x, double y, double length) override;

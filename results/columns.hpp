@@ -71,6 +71,9 @@ class Columns {
     if (!column.isInteger() || column.getInt64() < 0) fail(column, "a count");
     return static_cast<std::uint64_t>(column.getInt64());
   }
+  std::optional<std::uint64_t> optional_count() {
+    return optional([this] { return count(); });
+  }
   bool flag() {
     const SQLite::Column column = next();
     if (!column.isInteger() || (column.getInt64() != 0 && column.getInt64() != 1)) fail(column, "0 or 1");

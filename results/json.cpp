@@ -16,6 +16,11 @@ Json nullable(const std::optional<T>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
+template <typename T>
+Json nullable(const T& value) {
+  return Json(value);
+}
+
 // Whole numbers without ".0": cells are integers.
 Json coordinate(double value) {
   constexpr double exact_integers = 0x1p53;
@@ -28,6 +33,20 @@ Json points_of(const Answer& answer) {
   Json points = Json::array();
   for (const Point point : answer->points) points.push_back({coordinate(point.x), coordinate(point.y)});
   return points;
+}
+
+void add_run(Json& object, const TrialRow& row) {
+  const auto figure = [&row](auto member) { return row.run ? nullable((*row.run).*member) : Json(nullptr); };
+  object["steps"] = figure(&RunMetrics::steps);
+  object["least_steps"] = nullable(row.least_steps);
+  object["travelled"] = figure(&RunMetrics::travelled);
+  object["collisions"] = figure(&RunMetrics::collisions);
+  object["struck"] = figure(&RunMetrics::struck);
+  object["min_clearance"] = figure(&RunMetrics::min_clearance);
+  object["oscillations"] = figure(&RunMetrics::oscillations);
+  object["world_hash"] = row.run ? Json(hex(row.run->world_hash)) : Json(nullptr);
+  object["step_ms_median"] = nullable(row.costs.step_ms_median);
+  object["step_ms_p99"] = nullable(row.costs.step_ms_p99);
 }
 
 Json object_of(const TrialRow& row, const Scenario& scenario) {
@@ -52,6 +71,7 @@ Json object_of(const TrialRow& row, const Scenario& scenario) {
   object["wall_s"] = row.costs.wall_s;
   object["note"] = row.note.empty() ? Json(nullptr) : Json(row.note);
   object["counters"] = Json::object();
+  if (scenario.world) add_run(object, row);
   for (const Counter& counter : row.counters) object["counters"][counter.name] = counter.value;
   return object;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -27,6 +28,13 @@ struct Sample {
   std::vector<double> evaluations;
   std::vector<double> checks;
   std::vector<double> times_ms;
+  std::vector<double> steps;
+  std::vector<double> min_clearances;
+  std::vector<double> oscillations;
+  std::vector<double> collisions;
+  std::vector<double> struck;
+  std::vector<double> step_ms;
+  std::vector<double> step_ms_p99;
   bool crowded = false;
 };
 
@@ -37,11 +45,24 @@ void add_solved(const TrialRow& row, Sample& sample) {
   if (row.turns) sample.turns.push_back(*row.turns);
 }
 
+void add_run(const TrialRow& row, Sample& sample) {
+  if (row.costs.step_ms_median) sample.step_ms.push_back(*row.costs.step_ms_median);
+  if (row.costs.step_ms_p99) sample.step_ms_p99.push_back(*row.costs.step_ms_p99);
+  if (!row.run) return;
+  sample.collisions.push_back(static_cast<double>(row.run->collisions));
+  sample.struck.push_back(static_cast<double>(row.run->struck));
+  if (row.verdict != Verdict::solved) return;
+  sample.steps.push_back(static_cast<double>(row.run->steps));
+  sample.oscillations.push_back(static_cast<double>(row.run->oscillations));
+  if (row.run->min_clearance) sample.min_clearances.push_back(*row.run->min_clearance);
+}
+
 void add(const TrialRow& row, Sample& sample) {
   const bool solved = row.verdict == Verdict::solved;
   ++sample.trials;
   if (solved) add_solved(row, sample);
-  if (row.optimum) sample.gaps.push_back(solved ? row.gap.value_or(infinite) : infinite);
+  add_run(row, sample);
+  if (row.optimum || row.least_steps) sample.gaps.push_back(solved ? row.gap.value_or(infinite) : infinite);
   sample.evaluations.push_back(static_cast<double>(row.work.evaluations));
   sample.checks.push_back(static_cast<double>(row.work.checks));
   sample.times_ms.push_back(row.costs.wall_s * 1000);
@@ -52,6 +73,11 @@ std::optional<double> finite_median(std::vector<double> sample) {
   if (sample.empty()) return std::nullopt;
   const double middle = median(std::move(sample));
   return std::isfinite(middle) ? std::optional(middle) : std::nullopt;
+}
+
+std::optional<double> mean(const std::vector<double>& sample) {
+  if (sample.empty()) return std::nullopt;
+  return std::accumulate(sample.begin(), sample.end(), 0.0) / static_cast<double>(sample.size());
 }
 
 Standing standing_of(const GroupKey& key, Sample&& sample) {
@@ -67,6 +93,13 @@ Standing standing_of(const GroupKey& key, Sample&& sample) {
   standing.evaluations_median = finite_median(std::move(sample.evaluations));
   standing.checks_median = finite_median(std::move(sample.checks));
   standing.time_ms_median = finite_median(std::move(sample.times_ms));
+  standing.steps_median = finite_median(std::move(sample.steps));
+  standing.min_clearance_median = finite_median(std::move(sample.min_clearances));
+  standing.oscillations_median = finite_median(std::move(sample.oscillations));
+  standing.collisions_mean = mean(sample.collisions);
+  standing.struck_mean = mean(sample.struck);
+  standing.step_ms_median = finite_median(std::move(sample.step_ms));
+  standing.step_ms_p99_median = finite_median(std::move(sample.step_ms_p99));
   standing.crowded = sample.crowded;
   return standing;
 }
@@ -76,8 +109,13 @@ std::tuple<double, double, double> merit(const Standing& standing) {
   return {-standing.success, standing.gap_median.value_or(infinite), standing.gap_solved.value_or(infinite)};
 }
 
+// What is ranked together: a group's paths, or its runs through dynamic worlds.
+std::tuple<const std::string&, bool> block(const Standing& standing) {
+  return {standing.group, standing.track == Track::dynamic};
+}
+
 bool before(const Standing& a, const Standing& b) {
-  if (a.group != b.group) return a.group < b.group;
+  if (block(a) != block(b)) return block(a) < block(b);
   if (merit(a) != merit(b)) return merit(a) < merit(b);
   return std::tie(a.planner, a.track) < std::tie(b.planner, b.track);
 }
@@ -86,7 +124,7 @@ void rank(std::vector<Standing>& standings) {
   std::sort(standings.begin(), standings.end(), before);
   int place = 0;
   for (std::size_t i = 0; i < standings.size(); ++i) {
-    const bool first = i == 0 || standings[i].group != standings[i - 1].group;
+    const bool first = i == 0 || block(standings[i]) != block(standings[i - 1]);
     place = first ? 1 : place + 1;
     const bool tied = !first && merit(standings[i]) == merit(standings[i - 1]);
     standings[i].rank = tied ? standings[i - 1].rank : place;

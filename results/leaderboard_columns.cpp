@@ -79,6 +79,7 @@ std::string time_mark(const Standing& standing) {
 }  // namespace
 
 const std::vector<LeaderboardColumn>& leaderboard_columns() {
+  using Block = LeaderboardColumn::Block;
   static const std::vector<LeaderboardColumn> columns = {
       {"rank", rank, "rank", rank},
       {"planner", planner, "planner", planner, true},
@@ -89,12 +90,27 @@ const std::vector<LeaderboardColumn>& leaderboard_columns() {
       {"gap_median", csv<&Standing::gap_median>, "gap", percent<&Standing::gap_median>},
       {"gap_solved", csv<&Standing::gap_solved>, "gap solved", percent<&Standing::gap_solved>},
       {"length_median", csv<&Standing::length_median>, "length", decimal<&Standing::length_median, 2>},
-      {"turns_median", csv<&Standing::turns_median>, "turns", count<&Standing::turns_median>},
+      {"turns_median", csv<&Standing::turns_median>, "turns", count<&Standing::turns_median>, false,
+       Block::paths},
       {"evaluations_median", csv<&Standing::evaluations_median>, "evaluations",
        count<&Standing::evaluations_median>},
       {"checks_median", csv<&Standing::checks_median>, "checks", count<&Standing::checks_median>},
       {"time_ms_median", csv<&Standing::time_ms_median>, "ms ", time_mark},
       {"time_pass", time_pass, "", nullptr},
+      {"steps_median", csv<&Standing::steps_median>, "steps", count<&Standing::steps_median>, false,
+       Block::runs},
+      {"collisions_mean", csv<&Standing::collisions_mean>, "collisions",
+       decimal<&Standing::collisions_mean, 2>, false, Block::runs},
+      {"struck_mean", csv<&Standing::struck_mean>, "struck", decimal<&Standing::struck_mean, 2>, false,
+       Block::runs},
+      {"min_clearance_median", csv<&Standing::min_clearance_median>, "clearance",
+       decimal<&Standing::min_clearance_median, 2>, false, Block::runs},
+      {"oscillations_median", csv<&Standing::oscillations_median>, "oscillations",
+       count<&Standing::oscillations_median>, false, Block::runs},
+      {"step_ms_median", csv<&Standing::step_ms_median>, "ms/step", three_digits<&Standing::step_ms_median>,
+       false, Block::runs},
+      {"step_ms_p99_median", csv<&Standing::step_ms_p99_median>, "p99",
+       three_digits<&Standing::step_ms_p99_median>, false, Block::runs},
   };
   return columns;
 }

@@ -17,6 +17,8 @@ struct LeaderboardColumn {
   std::string_view console_name;  ///< empty: the console leaves the column out
   Print console;
   bool left = false;  ///< aligned on the console
+  /// Which blocks of the console show it: those of paths on maps, of runs through dynamic worlds, or both.
+  enum class Block { both, paths, runs } block = Block::both;
 };
 
 /// In the order of the CSV file, `family` excepted.

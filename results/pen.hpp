@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/overlay.hpp"
 #include "core/planner.hpp"
@@ -38,6 +39,12 @@ class Pen {
   /// edge.
   virtual void map(double left, double top, double scale, const Scenario& scenario, const Answer& answer,
                    const Overlay& overlay) = 0;
+  virtual void rectangle(double left, double top, double width, double height, Colour colour) = 0;
+  virtual void disc(Point centre, double radius, Colour colour) = 0;
+  /// The line of a circle, `width` pixels thick.
+  virtual void ring(Point centre, double radius, double width, Colour colour) = 0;
+  /// A polyline with round ends and corners; fewer than two points draw nothing.
+  virtual void line(const std::vector<Point>& points, double width, Colour colour) = 0;
   virtual void start_mark(double x, double y, double radius) = 0;
   virtual void goal_mark(double x, double y, double radius) = 0;
   /// A piece of a path, level, as the legend shows it.

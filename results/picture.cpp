@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "results/polyline.hpp"
+#include "results/world_picture.hpp"
 
 namespace pathrace::results {
 namespace {
@@ -55,6 +56,7 @@ PictureLayout layout_of(const OccupancyGrid& grid) {
 
 void draw_picture(Pen& pen, const PictureLayout& layout, const Scenario& scenario, const Answer& answer,
                   const Overlay& overlay, const std::string& title) {
+  if (scenario.world) return draw_world_picture(pen, layout, *scenario.world, answer, overlay, title);
   const double room = layout.width - 2 * layout.margin;
   pen.text(layout.margin, 25, {16, Weight::bold, palette.ink}, title, room);
   pen.text(layout.margin, 44, {12, Weight::normal, palette.faint}, caption_of(scenario, answer), room);

@@ -19,6 +19,21 @@ void copy_metrics(const PathMetrics& metrics, const Optimum& optimum, TrialRow& 
   row.clearance_mean = metrics.clearance_mean;
 }
 
+// No run takes fewer steps than the informed pursuit; where that takes none, neither does the run.
+std::optional<double> gap(const RunMetrics& run, std::optional<std::uint64_t> least_steps) {
+  if (!least_steps) return std::nullopt;
+  if (*least_steps == 0) return 0.0;
+  return static_cast<double>(run.steps) / static_cast<double>(*least_steps) - 1;
+}
+
+void copy_run(const TrialRecord& record, const World& world, TrialRow& row) {
+  row.run = record.run;
+  row.least_steps = world.least_steps;
+  if (record.verdict != Verdict::solved || !record.run) return;
+  row.length = record.run->travelled;
+  row.gap = gap(*record.run, world.least_steps);
+}
+
 Point parse_point(std::string_view text) {
   const std::size_t comma = text.find(',');
   if (comma == std::string_view::npos)
@@ -47,6 +62,7 @@ TrialRow make_row(const TrialKey& key, const Scenario& scenario, const Entrant& 
   if (record.verdict == Verdict::solved && record.metrics) {
     copy_metrics(*record.metrics, scenario.optimum, row);
   }
+  if (scenario.world) copy_run(record, *scenario.world, row);
   row.work = record.work;
   row.digest = digest(record);
   row.timed = record.timed;

@@ -26,14 +26,17 @@ struct TrialRow {
   std::string note;  ///< why, where the verdict needs a reason
   Track track = Track::lattice;
   MoveRule rule = MoveRule::strict;
-  std::optional<double> length;   ///< cells; of solved trials, like the other metrics
+  std::optional<double>
+      length;  ///< cells; of solved trials, like the other metrics; way travelled in a world
   std::optional<double> optimum;  ///< cells; empty where none is proven or there is no way
-  std::optional<double> gap;      ///< length / optimum - 1
+  std::optional<double> gap;      ///< length / optimum - 1; in a dynamic world, steps / least_steps - 1
   std::optional<int> turns;
-  std::optional<double> turn_angle;      ///< radians
-  std::optional<double> clearance_min;   ///< cells
-  std::optional<double> clearance_mean;  ///< cells
-  Work work;                             ///< evaluations, iterations, checks
+  std::optional<double> turn_angle;          ///< radians
+  std::optional<double> clearance_min;       ///< cells
+  std::optional<double> clearance_mean;      ///< cells
+  std::optional<RunMetrics> run;             ///< in a dynamic world, of every run that kept the rules
+  std::optional<std::uint64_t> least_steps;  ///< in a dynamic world: steps of the informed pursuit
+  Work work;                                 ///< evaluations, iterations, checks
   std::uint64_t digest = 0;
   bool timed = false;  ///< cut short by a wall-time limit
   Costs costs;

@@ -9,6 +9,26 @@
 namespace pathrace::results {
 namespace {
 
+// All of them or none.
+void read_run_columns(Columns& columns, TrialRow& row) {
+  row.run.reset();
+  if (columns.null()) {
+    for (int i = 0; i < 7; ++i) {
+      if (!columns.null()) throw InputError("column 'steps': expected a count beside a run's other figures");
+      columns.skip();
+    }
+    return;
+  }
+  RunMetrics& run = row.run.emplace();
+  run.steps = columns.count();
+  run.travelled = columns.real();
+  run.collisions = columns.count();
+  run.struck = columns.count();
+  run.min_clearance = columns.optional_real();
+  run.oscillations = columns.count();
+  run.world_hash = columns.parsed(parse_hex);
+}
+
 void read_slim_columns(Columns& columns, TrialRow& row) {
   row.key = columns.parsed(parse_hex);
   row.scenario = columns.text();
@@ -40,6 +60,10 @@ void read_slim_columns(Columns& columns, TrialRow& row) {
   row.costs.threads = columns.integer();
   row.costs.threads_used = columns.integer();
   row.costs.crowded = columns.flag();
+  read_run_columns(columns, row);
+  row.least_steps = columns.optional_count();
+  row.costs.step_ms_median = columns.optional_real();
+  row.costs.step_ms_p99 = columns.optional_real();
 }
 
 void read_answer_columns(Columns& columns, TrialRow& row) {

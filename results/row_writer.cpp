@@ -66,8 +66,11 @@ RowWriter::RowWriter(SQLite::Database& database)
           database,
           "INSERT INTO trial (key, scenario, planner, repetition, seed, verdict, note, length, gap, "
           "turns, turn_angle, clearance_min, clearance_mean, evaluations, iterations, checks, "
-          "digest, timed, wall_s, setup_s, backend, threads, threads_used, crowded) "
-          "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+          "digest, timed, wall_s, setup_s, backend, threads, threads_used, crowded, steps, travelled, "
+          "collisions, struck, min_clearance, oscillations, world_hash, least_steps, step_ms_median, "
+          "step_ms_p99) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+          "?, "
+          "?, ?, ?, ?, ?, ?, ?, ?)"),
       insert_answer_(
           database, "INSERT INTO answer (trial, path_track, path, trace, counters) VALUES (?, ?, ?, ?, ?)") {}
 
@@ -94,9 +97,27 @@ std::int64_t RowWriter::planner_number(const TrialRow& row) {
                           });
 }
 
+namespace {
+
+void bind_run(Binder& binder, const std::optional<RunMetrics>& run) {
+  if (!run) {
+    for (int i = 0; i < 7; ++i) binder.null();
+    return;
+  }
+  binder.count(run->steps)
+      .real(run->travelled)
+      .count(run->collisions)
+      .count(run->struck)
+      .real(run->min_clearance)
+      .count(run->oscillations)
+      .name(hex(run->world_hash));
+}
+
+}  // namespace
+
 void RowWriter::write_trial(const TrialRow& row) {
-  Binder(insert_trial_)
-      .name(hex(row.key))
+  Binder binder(insert_trial_);
+  binder.name(hex(row.key))
       .integer(scenarios_.number(row.scenario, row.rule, row.optimum))
       .integer(planner_number(row))
       .count(row.repetition)
@@ -120,6 +141,8 @@ void RowWriter::write_trial(const TrialRow& row) {
       .integer(std::int64_t{row.costs.threads})
       .integer(std::int64_t{row.costs.threads_used})
       .integer(std::int64_t{row.costs.crowded});
+  bind_run(binder, row.run);
+  binder.count(row.least_steps).real(row.costs.step_ms_median).real(row.costs.step_ms_p99);
   insert_trial_.exec();
 }
 

@@ -30,7 +30,9 @@ CREATE TABLE trial (
   length, gap, turns INTEGER, turn_angle, clearance_min, clearance_mean,
   evaluations NOT NULL, iterations NOT NULL, checks NOT NULL, digest TEXT NOT NULL, timed INTEGER NOT NULL,
   wall_s NOT NULL, setup_s NOT NULL, backend TEXT NOT NULL, threads INTEGER NOT NULL,
-  threads_used INTEGER NOT NULL, crowded INTEGER NOT NULL);
+  threads_used INTEGER NOT NULL, crowded INTEGER NOT NULL,
+  steps, travelled, collisions, struck, min_clearance, oscillations, world_hash TEXT, least_steps,
+  step_ms_median, step_ms_p99);
 CREATE TABLE answer (
   trial INTEGER PRIMARY KEY REFERENCES trial (number), path_track TEXT, path TEXT, trace TEXT NOT NULL,
   counters TEXT NOT NULL);
@@ -43,7 +45,10 @@ constexpr const char* slim_columns =
     "t.digest AS digest, t.wall_s AS wall_s, s.rule AS rule, p.call AS call, p.version AS version, "
     "p.budget AS budget, t.note AS note, t.turn_angle AS turn_angle, t.clearance_min AS clearance_min, "
     "t.clearance_mean AS clearance_mean, t.timed AS timed, t.setup_s AS setup_s, t.backend AS backend, "
-    "t.threads AS threads, t.threads_used AS threads_used, t.crowded AS crowded";
+    "t.threads AS threads, t.threads_used AS threads_used, t.crowded AS crowded, "
+    "t.steps AS steps, t.travelled AS travelled, t.collisions AS collisions, t.struck AS struck, "
+    "t.min_clearance AS min_clearance, t.oscillations AS oscillations, t.world_hash AS world_hash, "
+    "t.least_steps AS least_steps, t.step_ms_median AS step_ms_median, t.step_ms_p99 AS step_ms_p99";
 
 // Left joins: a trial whose scenario, planner or answer is gone shows up with nulls and is reported.
 constexpr const char* joined =

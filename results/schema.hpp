@@ -1,11 +1,12 @@
-// The tables of a store, schema version 3.
+// The tables of a store, schema version 4.
 //
 // meta      name and value: campaign, toml, hash, seed, trials
 // scenario  what trials share about their question
 // question  what the map and the query of a scenario are; written when a run begins
 // feature   name and value of a scenario's features, in long form: a new feature needs no new column
 // planner   what trials share about their player, its budget included
-// trial     one slim row per trial; `number` counts in order of insertion
+// trial     one slim row per trial; `number` counts in order of insertion; `steps` to `world_hash` are null
+//           but for runs through dynamic worlds
 // answer    the path, the anytime trace and the counters of a trial, as text
 // trials    a view that joins scenario, planner and trial into the columns of trials.csv
 // features  a view of the features under the scenarios' ids
@@ -21,7 +22,7 @@
 namespace pathrace::results {
 
 inline constexpr std::int32_t application_id = 0x70617468;  // "path", in the file's header
-inline constexpr int schema_version = 3;
+inline constexpr int schema_version = 4;
 
 /// All statements that make an empty store, its numbers in the header included.
 std::string schema();

@@ -56,6 +56,34 @@ void SvgPen::map(double left, double top, double scale, const Scenario& scenario
   out_ << "</g>\n";
 }
 
+void SvgPen::rectangle(double left, double top, double width, double height, Colour colour) {
+  fmt::print(out_, "<rect x=\"{:.6g}\" y=\"{:.6g}\" width=\"{:.6g}\" height=\"{:.6g}\" fill=\"{}\"/>\n", left,
+             top, width, height, css(colour));
+}
+
+void SvgPen::disc(Point centre, double radius, Colour colour) {
+  fmt::print(out_, "<circle cx=\"{:.6g}\" cy=\"{:.6g}\" r=\"{:.6g}\" fill=\"{}\"/>\n", centre.x, centre.y,
+             radius, css(colour));
+}
+
+void SvgPen::ring(Point centre, double radius, double width, Colour colour) {
+  fmt::print(out_,
+             "<circle cx=\"{:.6g}\" cy=\"{:.6g}\" r=\"{:.6g}\" fill=\"none\" stroke=\"{}\" "
+             "stroke-width=\"{:.4g}\"/>\n",
+             centre.x, centre.y, radius, css(colour), width);
+}
+
+void SvgPen::line(const std::vector<Point>& points, double width, Colour colour) {
+  if (points.size() < 2) return;
+  std::string text;
+  for (const Point point : points) text += fmt::format("{:.6g},{:.6g} ", point.x, point.y);
+  text.pop_back();
+  fmt::print(out_,
+             "<polyline fill=\"none\" stroke=\"{}\" stroke-width=\"{:.4g}\" stroke-linecap=\"round\" "
+             "stroke-linejoin=\"round\" points=\"{}\"/>\n",
+             css(colour), width, text);
+}
+
 void SvgPen::start_mark(double x, double y, double radius) {
   write_svg_start(out_, x, y, radius, paints_);
 }

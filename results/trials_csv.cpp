@@ -33,6 +33,12 @@ std::string print(const std::optional<T>& value) {
   return value ? print(*value) : "";
 }
 
+/// A figure of the run, or nothing.
+template <typename T>
+std::string run_figure(const TrialRow& row, T RunMetrics::*figure) {
+  return row.run ? print((*row.run).*figure) : "";
+}
+
 struct Column {
   std::string name;
   std::string (*print)(const TrialRow&);
@@ -71,6 +77,16 @@ const std::vector<Column>& columns() {
       {"threads", [](Row row) { return print(row.costs.threads); }},
       {"threads_used", [](Row row) { return print(row.costs.threads_used); }},
       {"crowded", [](Row row) { return print(row.costs.crowded); }},
+      {"steps", [](Row row) { return run_figure(row, &RunMetrics::steps); }},
+      {"travelled", [](Row row) { return run_figure(row, &RunMetrics::travelled); }},
+      {"collisions", [](Row row) { return run_figure(row, &RunMetrics::collisions); }},
+      {"struck", [](Row row) { return run_figure(row, &RunMetrics::struck); }},
+      {"min_clearance", [](Row row) { return run_figure(row, &RunMetrics::min_clearance); }},
+      {"oscillations", [](Row row) { return run_figure(row, &RunMetrics::oscillations); }},
+      {"world_hash", [](Row row) { return row.run ? hex(row.run->world_hash) : ""; }},
+      {"least_steps", [](Row row) { return print(row.least_steps); }},
+      {"step_ms_median", [](Row row) { return print(row.costs.step_ms_median); }},
+      {"step_ms_p99", [](Row row) { return print(row.costs.step_ms_p99); }},
   };
   return all;
 }

@@ -33,6 +33,7 @@ struct Family {
   /// The scenario with this id, certified: valid, solvable, with its proven optimum. `parts` are the id's
   /// parts after the name. Throws InputError for parts that do not fit the form.
   std::function<Scenario(const std::string& id, const std::vector<std::string_view>& parts)> make;
+  bool dynamic = false;  ///< worlds of moving discs: no move rule, no optimum
 };
 
 /// All families, sorted by name.

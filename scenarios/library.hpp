@@ -58,7 +58,7 @@ class Library {
   mutable std::unique_ptr<RosQueries> ros_;
 };
 
-/// Adds the proven optimum where it is missing, by exact search.
+/// Adds the proven optimum where it is missing, by exact search; a dynamic world has none.
 void prove(Scenario& scenario);
 
 }  // namespace pathrace::scenarios

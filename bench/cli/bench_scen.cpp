@@ -8,6 +8,7 @@
 #include "bench/cli/command.hpp"
 #include "bench/roster.hpp"
 #include "bench/scen_bench.hpp"
+#include "core/error.hpp"
 
 namespace pathrace::bench::cli {
 namespace {
@@ -48,6 +49,10 @@ nlohmann::ordered_json json(const BenchScenCommand& command, const Entrant& entr
 
 int bench_scen_command(const BenchScenCommand& command) {
   const Entrant entrant = roster().enter(parse_call(command.planner));
+  if (entrant.card->navigates()) {
+    throw InputError(
+        fmt::format("--planner: expected a planner of static maps, got the navigator '{}'", entrant.label));
+  }
   const scenarios::MapFile map = scenarios::MapFile::read(command.map);
   const scenarios::ScenFile scen = scenarios::ScenFile::read(command.scen);
   scenarios::require_same_map(scen, command.map);

@@ -7,6 +7,7 @@
 
 #include "bench/cli/command.hpp"
 #include "bench/cli/options.hpp"
+#include "bench/dynamic_trial.hpp"
 #include "bench/executors.hpp"
 #include "bench/roster.hpp"
 #include "bench/run_folder.hpp"
@@ -44,6 +45,9 @@ struct PlanCommand {
   std::string svg;
   std::string png;
   std::string trace;
+  std::string frames;
+
+  bool draws() const { return !svg.empty() || !png.empty() || !frames.empty(); }
 };
 
 // One end of the way, in cells or in metres.
@@ -81,6 +85,7 @@ Scenario chosen_scenario(const PlanCommand& command) {
                           : scenario_on_map(command);
   if (!command.rule.empty()) {
     const auto rule = parse_name<MoveRule>("move rule", command.rule);
+    if (scenario.world) throw InputError("--rule: there are no moves of cells in a dynamic world");
     if (rule != scenario.terrain.rule) scenario.optimum = {};
     scenario.terrain.rule = rule;
   }
@@ -92,14 +97,33 @@ std::string or_dash(const std::optional<double>& value, std::string_view format)
   return value ? fmt::format(fmt::runtime(format), *value) : "-";
 }
 
-void print_summary(const results::TrialRow& row) {
-  fmt::print("scenario     {} ({})\n", row.scenario, name(row.rule));
-  fmt::print("planner      {}\n", row.planner);
-  fmt::print("verdict      {}{}{}\n", name(row.verdict), row.note.empty() ? "" : ": ", row.note);
+std::string percent_or_dash(const std::optional<double>& share) {
+  return share ? fmt::format("{:.2f} %", 100 * *share) : "-";
+}
+
+void print_way(const results::TrialRow& row) {
   fmt::print("length       {}   optimum {}   gap {}\n", or_dash(row.length, "{:.4f}"),
-             or_dash(row.optimum, "{:.4f}"), row.gap ? fmt::format("{:.2f} %", 100 * *row.gap) : "-");
+             or_dash(row.optimum, "{:.4f}"), percent_or_dash(row.gap));
   fmt::print("turns        {}   least clearance {}\n", row.turns ? std::to_string(*row.turns) : "-",
              or_dash(row.clearance_min, "{:.2f}"));
+}
+
+void print_run(const results::TrialRow& row) {
+  if (!row.run) return;
+  fmt::print("steps        {}   least {}   gap {}   travelled {:.4f}\n", row.run->steps,
+             row.least_steps ? std::to_string(*row.least_steps) : "-", percent_or_dash(row.gap),
+             row.run->travelled);
+  fmt::print("collisions   {}   struck {}   least clearance {}   oscillations {}\n", row.run->collisions,
+             row.run->struck, or_dash(row.run->min_clearance, "{:.2f}"), row.run->oscillations);
+  fmt::print("world        {}\nper step     {} ms, 99th percentile {} ms\n", hex(row.run->world_hash),
+             or_dash(row.costs.step_ms_median, "{:.4f}"), or_dash(row.costs.step_ms_p99, "{:.4f}"));
+}
+
+void print_summary(const results::TrialRow& row, bool moves) {
+  fmt::print("scenario     {} ({})\n", row.scenario, moves ? "dynamic" : name(row.rule));
+  fmt::print("planner      {}\n", row.planner);
+  fmt::print("verdict      {}{}{}\n", name(row.verdict), row.note.empty() ? "" : ": ", row.note);
+  moves ? print_run(row) : print_way(row);
   fmt::print("work         {} evaluations, {} iterations, {} checks\n", row.work.evaluations,
              row.work.iterations, row.work.checks);
   fmt::print("time         {:.3f} ms ({}, {} of {} threads seen running)\n", 1000 * row.costs.wall_s,
@@ -127,18 +151,62 @@ void write_pictures(const PlanCommand& command, const Scenario& scenario, const 
   }
 }
 
+// Everything of a run on one sheet: the swarms of all steps, the rest of the last one.
+Overlay collected(const std::vector<Overlay>& steps) {
+  constexpr std::size_t most_points = 50'000;
+  Overlay all;
+  for (const Overlay& step : steps) {
+    std::vector<Point> points = std::move(all.points);
+    all = step;
+    if (points.size() < most_points) points.insert(points.end(), step.points.begin(), step.points.end());
+    all.points = std::move(points);
+  }
+  return all;
+}
+
+// One picture before the first step, and one after each: 0000.png, 0001.png, ...
+void write_frames(const PlanCommand& command, const Scenario& scenario, const results::TrialRow& row,
+                  const std::vector<Overlay>& steps) {
+  if (command.frames.empty() || !row.answer) return;
+  make_folder({command.frames});
+  Path way{Track::dynamic, {}};
+  for (std::size_t k = 0; k < row.answer->points.size(); ++k) {
+    way.points.push_back(row.answer->points[k]);
+    std::ostringstream bytes;
+    results::write_png(bytes, scenario, way, fmt::format("{} on {}, step {}", row.planner, row.scenario, k),
+                       k > 0 ? steps[k - 1] : Overlay{});
+    write_file(std::filesystem::path(command.frames) / fmt::format("{:04}.png", k), bytes.str());
+  }
+}
+
+TrialRecord run_once(const PlanCommand& command, const Entrant& entrant, const Scenario& scenario,
+                     const Budget& budget, const Stream& stream, std::vector<Overlay>& overlays) {
+  const std::unique_ptr<Executor> executor = make_executor(command.options.backend, command.options.threads);
+  if (scenario.world) {
+    WatchStep watch;
+    if (command.draws()) {
+      watch = [&overlays](const Snapshot&, Point, const Overlay& overlay) { overlays.push_back(overlay); };
+    }
+    return run_dynamic_trial(entrant, *scenario.world, budget, stream, *executor, watch);
+  }
+  overlays.emplace_back();
+  return run_trial(entrant, scenario, Referee(scenario.terrain), budget, stream, *executor, &overlays.back());
+}
+
 int plan_command(const PlanCommand& command) {
   require_backend(command.options);
   const Entrant entrant = roster().enter(parse_call(command.planner));
   const Scenario scenario = chosen_scenario(command);
+  if (!command.frames.empty() && !scenario.world) {
+    throw InputError(
+        fmt::format("--frames: expected a dynamic scenario such as discs/open/1, got '{}'", scenario.id));
+  }
   const Budget budget = command.budget.unlimited() ? entrant.card->default_budget : command.budget;
-  const Referee referee(scenario.terrain);
-  const std::unique_ptr<Executor> executor = make_executor(command.options.backend, command.options.threads);
   const TrialKey key{scenario.id,        content_hash(scenario), entrant.full_call(), entrant.card->version,
                      command.repetition, command.seed,           work_hash(budget)};
-  Overlay overlay;
-  TrialRecord record = run_trial(entrant, scenario, referee, budget,
-                                 root_stream(key.seed, key.scenario, key.repetition), *executor, &overlay);
+  std::vector<Overlay> overlays;
+  TrialRecord record = run_once(command, entrant, scenario, budget,
+                                root_stream(key.seed, key.scenario, key.repetition), overlays);
   record.key = key.hash();
   record.costs.backend = command.options.backend;
   record.costs.threads = command.options.threads;
@@ -146,9 +214,10 @@ int plan_command(const PlanCommand& command) {
   if (command.json) {
     fmt::print("{}\n", results::to_json(row, scenario));
   } else {
-    print_summary(row);
+    print_summary(row, scenario.world != nullptr);
   }
-  write_pictures(command, scenario, row, overlay);
+  write_pictures(command, scenario, row, collected(overlays));
+  write_frames(command, scenario, row, overlays);
   return done;
 }
 
@@ -190,9 +259,16 @@ void add_plan(CLI::App& app) {
   add_executor_options(*options, command->options, false);
   options->add_flag("--json", command->json, "print one JSON object");
   options
-      ->add_option("--svg", command->svg, "draw map, path, and what the planner thought: pheromone, circles")
+      ->add_option(
+          "--svg", command->svg,
+          "draw map, path, and what the planner thought: pheromone, circles, swarms; of dynamic worlds, the "
+          "trails of discs and goal")
       ->type_name("FILE");
   options->add_option("--png", command->png, "draw map and path, as pixels")->type_name("FILE");
+  options
+      ->add_option("--frames", command->frames,
+                   "in a dynamic world: draw the state before the first step and after each, as PNG files")
+      ->type_name("DIR");
   options->add_option("--trace", command->trace, "write each improvement with the work spent, as CSV")
       ->type_name("FILE.csv");
 }

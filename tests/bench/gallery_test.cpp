@@ -58,11 +58,12 @@ TEST(GalleryTiles, AFamilyShowsItsLastListedMapsOfMiddleSize) {
   EXPECT_EQ(ids({}, 1), Ids{});
 }
 
-TEST(GalleryTiles, EveryFamilyIsThereWithAShortestPath) {
+TEST(GalleryTiles, EveryFamilyIsThereAndMapsHaveAShortestPath) {
   std::set<std::string> names;
   for (const results::Tile& tile : gallery_tiles(1)) {
     names.insert(tile.title);
     EXPECT_FALSE(tile.caption.empty()) << tile.title;
+    if (tile.scenario.world) continue;  // no shortest path among what moves
     ASSERT_TRUE(tile.scenario.optimum.proven) << tile.scenario.id;
     ASSERT_EQ(tile.answer.has_value(), tile.scenario.optimum.length.has_value()) << tile.scenario.id;
     if (!tile.answer) continue;

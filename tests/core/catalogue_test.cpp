@@ -89,6 +89,24 @@ TEST(PlannerCall, AValueMayBeEmptyOrHoldAnEqualsSign) {
   EXPECT_EQ(parse_call("tan:a=b=c").values, (ParameterValues{{"a", "b=c"}}));
 }
 
+TEST(PlannerCall, APlannerInParenthesesIsAValue) {
+  EXPECT_EQ(parse_call("replan(astar)").name, "replan");
+  EXPECT_EQ(parse_call("replan(astar)").values, (ParameterValues{{"planner", "astar"}}));
+  EXPECT_EQ(parse_call("replan(as:ants=5,phi=1):resolution=2").values,
+            (ParameterValues{{"planner", "as:ants=5,phi=1"}, {"resolution", "2"}}));
+  EXPECT_EQ(parse_call("replan:planner=(as:ants=5,phi=1),resolution=2").values,
+            (ParameterValues{{"planner", "(as:ants=5,phi=1)"}, {"resolution", "2"}}));
+  EXPECT_EQ(parse_call("a(b(c:d=1,e=2))").values, (ParameterValues{{"planner", "b(c:d=1,e=2)"}}));
+}
+
+TEST(PlannerCall, RefusesParenthesesThatDoNotFit) {
+  const auto refused = [](const std::string& text) { return refusal([&] { parse_call(text); }); };
+  EXPECT_EQ(refused("replan(astar"), "planner call 'replan(astar': a ')' is missing");
+  EXPECT_EQ(refused("replan(astar)x"), "planner call 'replan(astar)x': expected ':', got 'x'");
+  EXPECT_EQ(refused("replan(astar):planner=as"),
+            "planner call 'replan(astar):planner=as' gives 'planner' twice");
+}
+
 TEST(PlannerCall, RefusesWhatIsNoCall) {
   const auto refused = [](const std::string& text) { return refusal([&] { parse_call(text); }); };
   EXPECT_EQ(refused(""), "planner call '' names no planner");

@@ -39,6 +39,23 @@ TEST(Json, HasTheAgreedKeysInTheirOrder) {
   EXPECT_EQ(keys_of(Json::parse(to_json(row, some_scenario()))), keys);
 }
 
+TEST(Json, OfARunInADynamicWorldHasItsFigures) {
+  Scenario scenario = some_scenario();
+  scenario.world = std::make_shared<const World>();
+  const Json object = Json::parse(to_json(run_row(1, "straight", "discs/open/1"), scenario));
+  EXPECT_EQ(object["steps"], 30);
+  EXPECT_EQ(object["least_steps"], 20);
+  EXPECT_EQ(object["travelled"], 88.5);
+  EXPECT_EQ(object["collisions"], 0);
+  EXPECT_EQ(object["struck"], 1);
+  EXPECT_EQ(object["min_clearance"], 0.25);
+  EXPECT_EQ(object["oscillations"], 2);
+  EXPECT_EQ(object["world_hash"], "fedcba9876543210");
+  EXPECT_EQ(object["step_ms_median"], 0.125);
+  EXPECT_EQ(object["step_ms_p99"], 0.5);
+  EXPECT_EQ(object["points"].dump(), "[[0.5,0],[1,0.25]]");
+}
+
 TEST(Json, SaysWhatTheRowSays) {
   TrialRow row = solved_row(1, "as:a=1,b=\"2\"", "trap-u/20/1");
   row.gap = 0.1;

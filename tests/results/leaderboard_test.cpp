@@ -190,6 +190,29 @@ TEST(Leaderboard, HasARowPerTrack) {
   EXPECT_EQ(standings[1].trials, 2U);
 }
 
+TEST(Leaderboard, RanksRunsThroughWorldsApartFromPathsOnMaps) {
+  Race race;
+  race.solved("b", 0.5).failed("c").add(run_row(0, "a", "discs/open/1"));
+  TrialRow lost = run_row(0, "d", "discs/open/1");
+  lost.verdict = Verdict::invalid;
+  lost.run->collisions = 3;
+  lost.length = lost.gap = std::nullopt;
+  race.add(lost);
+  const std::vector<Standing> standings = race.standings();
+  EXPECT_EQ(order(standings), "1b 2c 1a 2d");
+  EXPECT_EQ(standings[0].steps_median, std::nullopt);
+  EXPECT_EQ(standings[2].gap_median, 0.5);
+  EXPECT_EQ(standings[2].steps_median, 30);
+  EXPECT_EQ(standings[2].struck_mean, 1);
+  EXPECT_EQ(standings[2].oscillations_median, 2);
+  EXPECT_EQ(standings[2].min_clearance_median, 0.25);
+  EXPECT_EQ(standings[2].step_ms_median, 0.125);
+  EXPECT_EQ(standings[2].step_ms_p99_median, 0.5);
+  EXPECT_EQ(standings[3].gap_median, std::nullopt);  // half or more fail: infinite
+  EXPECT_EQ(standings[3].collisions_mean, 3);
+  EXPECT_EQ(standings[3].steps_median, std::nullopt);
+}
+
 TEST(Leaderboard, RanksWithinEachFamily) {
   Race race;
   race.solved("a", 0.5, "trap-u/20/1").solved("b", 0.25, "trap-u/20/2");
@@ -226,7 +249,8 @@ TEST(Leaderboard, OfAnEmptyStoreIsEmpty) {
 
 constexpr const char* header =
     "rank,planner,track,trials,solved,success,gap_median,gap_solved,length_median,turns_median,"
-    "evaluations_median,checks_median,time_ms_median,time_pass";
+    "evaluations_median,checks_median,time_ms_median,time_pass,steps_median,collisions_mean,struck_mean,"
+    "min_clearance_median,oscillations_median,step_ms_median,step_ms_p99_median";
 
 std::string csv(const std::vector<Standing>& standings) {
   std::ostringstream out;
@@ -259,7 +283,7 @@ Standing some_standing() {
 TEST(LeaderboardCsv, HasTheAgreedColumnsAndADashForNothing) {
   EXPECT_EQ(csv({some_standing()}), std::string(header) +
                                         "\n1,\"as:ants=20,alpha=1\",lattice,4,3,0.75,-,0.0625,28.5,6.5,5000,"
-                                        "1234567,0.03125,alone\n");
+                                        "1234567,0.03125,alone,-,-,-,-,-,-,-\n");
   EXPECT_EQ(csv({}), std::string(header) + "\n");
 }
 
@@ -269,7 +293,7 @@ TEST(LeaderboardCsv, NamesTheFamilyLast) {
   standing.crowded = true;
   const std::string text = csv({standing});
   EXPECT_EQ(text.substr(0, text.find('\n')), std::string(header) + ",family");
-  EXPECT_NE(text.find(",crowded,trap-u\n"), std::string::npos);
+  EXPECT_NE(text.find(",crowded,-,-,-,-,-,-,-,trap-u\n"), std::string::npos);
 }
 
 TEST(LeaderboardConsole, AlignsItsColumns) {
@@ -286,6 +310,22 @@ TEST(LeaderboardConsole, AlignsItsColumns) {
             "  12  \xC3\xA9t\xC3\xA9                 lattice       4       3    75.0%  10.00%       6.25%   "
             "28.50    6.5  "
             "       5000  1234567  0.0312\n");
+}
+
+TEST(LeaderboardConsole, ShowsRunsInABlockWithColumnsOfTheirOwn) {
+  Standing path = some_standing();
+  Standing run = some_standing();
+  run.track = Track::dynamic;
+  run.steps_median = 41;
+  run.collisions_mean = 0.25;
+  const std::string text = console({path, run});
+  const std::size_t gap = text.find("\n\n");
+  ASSERT_NE(gap, std::string::npos) << text;
+  EXPECT_NE(text.substr(0, gap).find("turns"), std::string::npos);
+  EXPECT_EQ(text.substr(0, gap).find("steps"), std::string::npos);
+  EXPECT_EQ(text.substr(gap).find("turns"), std::string::npos);
+  EXPECT_NE(text.substr(gap).find("steps  collisions"), std::string::npos) << text;
+  EXPECT_NE(text.substr(gap).find("   41        0.25"), std::string::npos) << text;
 }
 
 TEST(LeaderboardConsole, MarksTimesFromCrowdedTrials) {

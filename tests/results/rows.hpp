@@ -59,7 +59,7 @@ inline TrialRow solved_row(std::uint64_t key, const std::string& planner, const 
   row.clearance_min = 1;
   row.clearance_mean = 1;
   row.work = {1, 1, 3};
-  row.costs = {0.001, 0.0005, "serial", 1, 1, false};
+  row.costs = {0.001, 0.0005, "serial", 1, 1, false, {}, {}};
   row.answer = lattice_path({{0, 0}, {1, 0}, {2, 0}});
   row.trace = {{{1, 0, 3}, 0.0007, 2}};
   row.digest = recomputed_digest(row);
@@ -74,6 +74,23 @@ inline TrialRow failed_row(std::uint64_t key, const std::string& planner, const 
   row.turns = std::nullopt;
   row.answer = std::nullopt;
   row.trace.clear();
+  row.digest = recomputed_digest(row);
+  return row;
+}
+
+/// A run of 30 steps through a dynamic world in which 20 are the least.
+inline TrialRow run_row(std::uint64_t key, const std::string& planner, const std::string& scenario) {
+  TrialRow row = solved_row(key, planner, scenario);
+  row.track = Track::dynamic;
+  row.optimum = row.turn_angle = row.clearance_min = row.clearance_mean = std::nullopt;
+  row.turns = std::nullopt;
+  row.run = RunMetrics{30, 88.5, 0, 1, 2, 0.25, 0xFEDCBA9876543210U};
+  row.least_steps = 20;
+  row.length = 88.5;
+  row.gap = 0.5;
+  row.costs.step_ms_median = 0.125;
+  row.costs.step_ms_p99 = 0.5;
+  row.answer = Path{Track::dynamic, {{0.5, 0}, {1, 0.25}}};
   row.digest = recomputed_digest(row);
   return row;
 }
@@ -93,7 +110,7 @@ inline std::vector<TrialRow> strange_rows() {
   numbers.seed = std::numeric_limits<std::uint64_t>::max();
   numbers.repetition = std::uint64_t{1} << 63;
   numbers.work = {std::numeric_limits<std::uint64_t>::max(), (std::uint64_t{1} << 63) - 1, 0};
-  numbers.costs = {Limits::min(), 1e-300, "openmp", 64, 7, true};
+  numbers.costs = {Limits::min(), 1e-300, "openmp", 64, 7, true, {}, {}};
   numbers.answer = Path{Track::any_angle,
                         {{-0.0, 0.1},
                          {1e-320, 1e300},
@@ -117,6 +134,16 @@ inline std::vector<TrialRow> strange_rows() {
   texts.optimum = std::nullopt;
   texts.answer = Path{};
   rows.push_back(texts);
+
+  TrialRow run = run_row(0x4000000000000000U, "straight", "discs/open/1");
+  run.run->min_clearance = -1.0 / 3;
+  run.run->collisions = std::numeric_limits<std::uint64_t>::max();
+  rows.push_back(run);
+  run.key = 0x4000000000000001U;
+  run.run->min_clearance = std::nullopt;
+  run.least_steps = std::nullopt;
+  run.costs.step_ms_median = std::nullopt;
+  rows.push_back(run);
   return rows;
 }
 
@@ -158,6 +185,10 @@ inline void expect_same_slim(const TrialRow& a, const TrialRow& b) {
   EXPECT_EQ(a.costs.threads, b.costs.threads);
   EXPECT_EQ(a.costs.threads_used, b.costs.threads_used);
   EXPECT_EQ(a.costs.crowded, b.costs.crowded);
+  EXPECT_EQ(a.run, b.run);
+  EXPECT_EQ(a.least_steps, b.least_steps);
+  EXPECT_EQ(bits(a.costs.step_ms_median), bits(b.costs.step_ms_median));
+  EXPECT_EQ(bits(a.costs.step_ms_p99), bits(b.costs.step_ms_p99));
 }
 
 inline void expect_same(const TrialRow& a, const TrialRow& b) {

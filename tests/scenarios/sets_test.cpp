@@ -15,11 +15,9 @@ namespace {
 
 TEST(Sets, KeepTheirBitsForEver) {
   // From running the code: a set that moves takes a new version of the library.
-  const std::map<std::string, std::string> hashes = {{"starter", "b051b679d852326a"},
-                                                     {"small", "903d003d7f3ddb43"},
-                                                     {"traps", "c79483718afd99b6"},
-                                                     {"dense", "255959a1b0842129"},
-                                                     {"large", "d4b11022680f1bb1"}};
+  const std::map<std::string, std::string> hashes = {
+      {"starter", "b051b679d852326a"}, {"small", "903d003d7f3ddb43"}, {"traps", "c79483718afd99b6"},
+      {"dense", "255959a1b0842129"},   {"large", "d4b11022680f1bb1"}, {"dynamic", "0e70173e1917cdf9"}};
   ASSERT_EQ(library_version, 1);
   const Library library;
   ASSERT_EQ(sets().size(), hashes.size());

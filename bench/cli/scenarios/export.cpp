@@ -8,6 +8,7 @@
 #include "bench/cli/scenarios/verb.hpp"
 #include "bench/run_folder.hpp"
 #include "core/error.hpp"
+#include "results/picture_png.hpp"
 #include "results/svg.hpp"
 #include "scenarios/image/png_writer.hpp"
 #include "scenarios/movingai/writer.hpp"
@@ -32,7 +33,9 @@ std::string file_name_of(const std::string& id) {
 }
 
 void write_as(const std::string& format, std::ostream& out, const Scenario& scenario) {
-  if (format == "map") {
+  if (format == "png" && scenario.world) {
+    results::write_png(out, scenario, std::nullopt, scenario.id);
+  } else if (format == "map") {
     scenarios::write_map(out, scenario.grid());
   } else if (format == "scen") {
     scenarios::write_scen(out, file_name_of(scenario.id), scenario);

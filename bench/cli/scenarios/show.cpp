@@ -6,6 +6,7 @@
 
 #include "bench/cli/picture_file.hpp"
 #include "bench/cli/scenarios/verb.hpp"
+#include "core/hash.hpp"
 #include "scenarios/ascii.hpp"
 
 namespace pathrace::bench::cli {
@@ -17,6 +18,17 @@ struct ShowOptions {
   std::string out;
 };
 
+void print_world(const std::string& id, const World& world) {
+  fmt::print("{}: {} x {} units, {} discs ({} of them walls), robot of radius {} at {:.2f},{:.2f}\n", id,
+             world.width, world.height, world.discs.size(), world.walls, world.robot_radius, world.start.x,
+             world.start.y);
+  fmt::print("goal at {:.2f},{:.2f}, {}; V_robot {}, V_goal {} (P {}), V_obs {} (P {}), threshold {}\n",
+             world.goal.x, world.goal.y, name(world.goal_law), world.robot_step, world.goal_step,
+             world.goal_chance, world.disc_step, world.disc_chance, world.arrival);
+  fmt::print("{} steps at most, no run takes fewer than {}; hash {}\n", world.max_steps,
+             world.least_steps ? std::to_string(*world.least_steps) : "that", hex(world.hash));
+}
+
 int show_scenario(const ShowOptions& options) {
   if (!options.out.empty()) {
     require_extension(options.out, {".png", ".svg"});
@@ -25,6 +37,12 @@ int show_scenario(const ShowOptions& options) {
     return done;
   }
   const Scenario scenario = proven_scenario(options.id, options.maps);
+  if (scenario.world) {
+    print_world(scenario.id, *scenario.world);
+    std::fflush(stdout);
+    scenarios::print_ascii(std::cout, scenario);
+    return done;
+  }
   fmt::print("{}: {}x{} cells, {} free, rule {}, start {},{}, goal {},{}, optimum {}\n", scenario.id,
              scenario.grid().width(), scenario.grid().height(), scenario.grid().free_cells(),
              name(scenario.terrain.rule), scenario.start.x, scenario.start.y, scenario.goal.x,
