@@ -44,12 +44,12 @@ class Run {
   void drive(Navigator& navigator) {
     for (std::uint64_t step = 0; step < world_.max_steps; ++step) {
       const Point robot = points_.back();
-      const bool arrived = distance(robot, motion_.goal()) <= world_.arrival;
+      const bool arrived = straight_line(robot, motion_.goal()) <= world_.arrival;
       if (arrived || !is_position(robot) || meter_.exhausted()) return;
       motion_.advance(robot);
       points_.push_back(step_of(navigator, snapshot_of(world_, motion_, robot, step)));
       meter_.end_iteration();
-      meter_.improved(distance(points_.back(), motion_.goal()));
+      meter_.improved(straight_line(points_.back(), motion_.goal()));
     }
   }
 

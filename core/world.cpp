@@ -51,10 +51,12 @@ void require_apart(const World& world, std::string_view id) {
     }
     require_room(world, id, fmt::format("disc {} at", i), disc.centre, disc.radius - touching);
     const double reach = disc.radius + world.robot_radius - touching;
-    if (distance(disc.centre, world.start) < reach) refuse(id, fmt::format("disc {} covers the start", i));
-    if (distance(disc.centre, world.goal) < reach) refuse(id, fmt::format("disc {} covers the goal", i));
+    if (straight_line(disc.centre, world.start) < reach)
+      refuse(id, fmt::format("disc {} covers the start", i));
+    if (straight_line(disc.centre, world.goal) < reach) refuse(id, fmt::format("disc {} covers the goal", i));
     for (std::size_t j = 0; j < i; ++j) {
-      if (distance(disc.centre, world.discs[j].centre) < disc.radius + world.discs[j].radius - touching) {
+      if (straight_line(disc.centre, world.discs[j].centre) <
+          disc.radius + world.discs[j].radius - touching) {
         refuse(id, fmt::format("the discs {} and {} overlap", j, i));
       }
     }
@@ -63,7 +65,7 @@ void require_apart(const World& world, std::string_view id) {
 
 }  // namespace
 
-double distance(Point a, Point b) {
+double straight_line(Point a, Point b) {
   const double dx = a.x - b.x;
   const double dy = a.y - b.y;
   return std::sqrt(dx * dx + dy * dy);

@@ -73,6 +73,6 @@ std::shared_ptr<const World> settled(World world, std::string_view id);
 std::uint64_t world_hash(const World& world);
 
 /// Square root of the sum of squares: the same bits everywhere.
-double distance(Point a, Point b);
+double straight_line(Point a, Point b);
 
 }  // namespace pathrace

@@ -81,10 +81,10 @@ void WorldMotion::move_disc(std::size_t index, Stream stream) {
 bool WorldMotion::fits(std::size_t index, Point centre) const {
   const double radius = discs_[index].radius;
   if (!within(world_, centre, radius)) return false;
-  if (world_.goal_law != GoalLaw::flee && distance(centre, goal_) < radius + world_.robot_radius)
+  if (world_.goal_law != GoalLaw::flee && straight_line(centre, goal_) < radius + world_.robot_radius)
     return false;
   for (std::size_t i = 0; i < discs_.size(); ++i) {
-    if (i != index && distance(centre, discs_[i].centre) < radius + discs_[i].radius) return false;
+    if (i != index && straight_line(centre, discs_[i].centre) < radius + discs_[i].radius) return false;
   }
   return true;
 }
@@ -101,7 +101,7 @@ void WorldMotion::move_goal(Point robot, Stream stream) {
 bool WorldMotion::goal_fits(Point goal) const {
   if (!within(world_, goal, world_.robot_radius)) return false;
   for (const Disc& disc : discs_) {
-    if (distance(goal, disc.centre) < disc.radius + world_.robot_radius) return false;
+    if (straight_line(goal, disc.centre) < disc.radius + world_.robot_radius) return false;
   }
   return true;
 }
@@ -121,7 +121,7 @@ void WorldMotion::wander(Stream& stream) {
 void WorldMotion::follow_way_points() {
   if (world_.way_points.empty()) return;
   const Point target = world_.way_points[way_point_];
-  const double left = distance(goal_, target);
+  const double left = straight_line(goal_, target);
   const bool reaches = left <= world_.goal_step;
   const Point next =
       reaches ? target
@@ -130,7 +130,7 @@ void WorldMotion::follow_way_points() {
 }
 
 void WorldMotion::flee(Point robot) {
-  const double apart = distance(robot, goal_);
+  const double apart = straight_line(robot, goal_);
   if (apart == 0) return;
   const Point away{(goal_.x - robot.x) / apart, (goal_.y - robot.y) / apart};
   const Point side{-away.y, away.x};

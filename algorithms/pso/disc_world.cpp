@@ -9,18 +9,12 @@ namespace {
 
 using Adjacency = std::vector<std::vector<std::size_t>>;
 
-double distance(Point a, Point b) {
-  const double dx = a.x - b.x;
-  const double dy = a.y - b.y;
-  return std::sqrt(dx * dx + dy * dy);
-}
-
 Adjacency adjacency_of(const std::vector<Obstacle>& obstacles, double tolerance) {
   Adjacency adjacency(obstacles.size());
   for (std::size_t i = 0; i < obstacles.size(); ++i) {
     for (std::size_t j = 0; j < obstacles.size(); ++j) {
       const double reach = obstacles[i].radius + obstacles[j].radius + tolerance;
-      if (i != j && distance(obstacles[i].centre, obstacles[j].centre) <= reach) adjacency[i].push_back(j);
+      if (i != j && separation(obstacles[i].centre, obstacles[j].centre) <= reach) adjacency[i].push_back(j);
     }
   }
   return adjacency;
@@ -70,6 +64,12 @@ void find_borders(Obstacle& obstacle, double robot_radius, const Workspace& work
 }
 
 }  // namespace
+
+double separation(Point a, Point b) {
+  const double dx = a.x - b.x;
+  const double dy = a.y - b.y;
+  return std::sqrt(dx * dx + dy * dy);
+}
 
 double Workspace::diagonal() const {
   return std::sqrt(width * width + height * height);

@@ -24,6 +24,9 @@ struct Workspace {
   double diagonal() const;
 };
 
+/// Straight-line distance of two points.
+double separation(Point a, Point b);
+
 struct DiscNeighbour {
   double angle = 0;       ///< of its centre as seen from this disc, in [-pi, pi]
   std::size_t group = 0;  ///< neighbours of one group hang together without this disc

@@ -40,12 +40,6 @@ struct NasrollahySettings : SwarmSettings {
   double revisit = 0.1;
 };
 
-double distance(Point a, Point b) {
-  const double dx = a.x - b.x;
-  const double dy = a.y - b.y;
-  return std::sqrt(dx * dx + dy * dy);
-}
-
 LegJudge judge_of(const NasrollahySettings& settings, const Snapshot& snapshot) {
   const Workspace workspace{snapshot.width, snapshot.height};
   const double scale = workspace.diagonal();
@@ -60,7 +54,7 @@ class StepSwarm {
   StepSwarm(const NasrollahySettings& settings, const Snapshot& snapshot)
       : settings_(settings),
         snapshot_(snapshot),
-        compass_(settings.heading, std::min(snapshot.robot_step, distance(snapshot.robot, snapshot.goal))),
+        compass_(settings.heading, std::min(snapshot.robot_step, separation(snapshot.robot, snapshot.goal))),
         judge_(judge_of(settings, snapshot)),
         swarm_(settings, compass_.box(snapshot.robot_step, settings.v_max)) {}
 
@@ -109,7 +103,7 @@ class StepSwarm {
 
   // Eq. (9).
   double cost(Point particle) const {
-    return compass_.radius() + distance(particle, snapshot_.goal) + judge_.penalty(particle);
+    return compass_.radius() + separation(particle, snapshot_.goal) + judge_.penalty(particle);
   }
 
   std::size_t admitted(const Meter& meter) const {
@@ -152,7 +146,7 @@ class Nasrollahy2009 final : public Navigator {
   // A robot that swings between two detours comes back to places it has left.
   void remember(Point robot, Point next, double near, Meter& meter) {
     const bool again =
-        std::any_of(left_.begin(), left_.end(), [&](Point place) { return distance(place, next) <= near; });
+        std::any_of(left_.begin(), left_.end(), [&](Point place) { return separation(place, next) <= near; });
     meter.count("revisits", again ? 1 : 0);
     if (next != robot) left_.push_back(robot);
   }

@@ -46,7 +46,7 @@ DiscMap::DiscMap(const Snapshot& snapshot, double resolution, double margin)
     const auto [top, bottom] = span(disc.centre.y - reach, disc.centre.y + reach, resolution, grid.height());
     for (int y = top; y <= bottom; ++y) {
       for (int x = left; x <= right; ++x) {
-        block_if({x, y}, [&](Point p) { return distance(p, disc.centre) < reach; });
+        block_if({x, y}, [&](Point p) { return straight_line(p, disc.centre) < reach; });
       }
     }
   }

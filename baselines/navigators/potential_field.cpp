@@ -34,8 +34,8 @@ class PotentialField final : public Navigator {
     if (!afford(context.meter, looks)) return snapshot.robot;
     const Point force = force_at(snapshot);
     const Point aim{snapshot.robot.x + force.x, snapshot.robot.y + force.y};
-    const double longest = std::min(snapshot.robot_step, distance(snapshot.robot, snapshot.goal));
-    double length = distance(aim, snapshot.robot) > 0 ? longest : 0;
+    const double longest = std::min(snapshot.robot_step, straight_line(snapshot.robot, snapshot.goal));
+    double length = straight_line(aim, snapshot.robot) > 0 ? longest : 0;
     for (int i = 0; i <= halvings && length > 0; ++i, length /= 2) {
       const Point to = kept_inside(snapshot, along(snapshot.robot, force, length));
       if (is_free_way(snapshot, to)) return to;
@@ -45,17 +45,17 @@ class PotentialField final : public Navigator {
 
  private:
   static Point along(Point from, Point force, double length) {
-    const double size = distance({0, 0}, force);
+    const double size = straight_line({0, 0}, force);
     return {from.x + length * force.x / size, from.y + length * force.y / size};
   }
 
   Point force_at(const Snapshot& snapshot) const {
     const Point robot = snapshot.robot;
-    const double to_goal = distance(robot, snapshot.goal);
+    const double to_goal = straight_line(robot, snapshot.goal);
     Point force{0, 0};
     if (to_goal > 0) force = {(snapshot.goal.x - robot.x) / to_goal, (snapshot.goal.y - robot.y) / to_goal};
     for (const Disc& disc : snapshot.discs) {
-      const double apart = distance(robot, disc.centre);
+      const double apart = straight_line(robot, disc.centre);
       const double gap = (apart - disc.radius - snapshot.robot_radius) / snapshot.robot_step;
       if (gap >= settings_.reach || apart == 0) continue;
       const double d = std::max(gap, least_gap);

@@ -13,15 +13,15 @@ constexpr double spare = 1e-7;  // units; keeps rounding out of touching
 double segment_distance(Point a, Point b, Point p) {
   const Point d{b.x - a.x, b.y - a.y};
   const double squared = d.x * d.x + d.y * d.y;
-  if (squared == 0) return distance(a, p);
+  if (squared == 0) return straight_line(a, p);
   const double t = std::clamp(((p.x - a.x) * d.x + (p.y - a.y) * d.y) / squared, 0.0, 1.0);
-  return distance({a.x + t * d.x, a.y + t * d.y}, p);
+  return straight_line({a.x + t * d.x, a.y + t * d.y}, p);
 }
 
 }  // namespace
 
 Point towards(Point from, Point to, double length) {
-  const double apart = distance(from, to);
+  const double apart = straight_line(from, to);
   if (apart <= length) return to;
   const double share = length / apart;
   return {from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
@@ -31,7 +31,7 @@ bool is_free_way(const Snapshot& snapshot, Point to) {
   for (const Disc& disc : snapshot.discs) {
     const double least = segment_distance(snapshot.robot, to, disc.centre);
     const bool overlaps = least < disc.radius + snapshot.robot_radius + spare;
-    if (overlaps && least < distance(snapshot.robot, disc.centre)) return false;
+    if (overlaps && least < straight_line(snapshot.robot, disc.centre)) return false;
   }
   return true;
 }
@@ -39,7 +39,7 @@ bool is_free_way(const Snapshot& snapshot, Point to) {
 double room_at(const Snapshot& snapshot, Point robot) {
   double room = snapshot.width;
   for (const Disc& disc : snapshot.discs) {
-    room = std::min(room, distance(robot, disc.centre) - disc.radius - snapshot.robot_radius);
+    room = std::min(room, straight_line(robot, disc.centre) - disc.radius - snapshot.robot_radius);
   }
   return room;
 }

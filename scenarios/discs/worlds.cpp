@@ -38,7 +38,7 @@ Point draw_point(double size, double border, Stream& stream) {
 
 bool clear(const World& world, Point centre, double radius) {
   for (const Disc& disc : world.discs) {
-    if (distance(centre, disc.centre) < radius + disc.radius) return false;
+    if (straight_line(centre, disc.centre) < radius + disc.radius) return false;
   }
   return true;
 }
@@ -51,7 +51,7 @@ bool place_ends(DiscsSketch& sketch, Stream& stream) {
   for (int i = 0; i < throws_each; ++i) {
     world.start = draw_point(world.width, border, stream);
     world.goal = draw_point(world.width, border, stream);
-    if (distance(world.start, world.goal) >= 0.6 * world.width) return true;
+    if (straight_line(world.start, world.goal) >= 0.6 * world.width) return true;
   }
   return false;
 }
@@ -62,7 +62,8 @@ bool place_disc(const DiscsSettings& settings, World& world, Stream& stream) {
   const double from_ends = radius + world.robot_radius + world.robot_step;
   for (int i = 0; i < throws_each; ++i) {
     const Point centre = draw_point(world.width, radius, stream);
-    if (distance(centre, world.start) < from_ends || distance(centre, world.goal) < from_ends) continue;
+    if (straight_line(centre, world.start) < from_ends || straight_line(centre, world.goal) < from_ends)
+      continue;
     if (!clear(world, centre, radius)) continue;
     world.discs.push_back({centre, radius});
     return true;

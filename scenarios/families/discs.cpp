@@ -101,7 +101,7 @@ void add_picture(Scenario& scenario) {
       const Cell cell{x, y};
       if (cell == scenario.start || cell == scenario.goal) continue;
       const bool covered = std::any_of(world.discs.begin(), world.discs.end(), [&](const Disc& disc) {
-        return distance(disc.centre, {x + 0.5, y + 0.5}) < disc.radius;
+        return straight_line(disc.centre, {x + 0.5, y + 0.5}) < disc.radius;
       });
       if (covered) grid.block(cell);
     }

@@ -3,16 +3,13 @@
 
 #include <cmath>
 
+#include "algorithms/pso/disc_world.hpp"
 #include "bench/executors.hpp"
 #include "bench/roster.hpp"
 #include "tests/support/trials.hpp"
 
 namespace pathrace::algorithms {
 namespace {
-
-double distance(Point a, Point b) {
-  return std::hypot(a.x - b.x, a.y - b.y);
-}
 
 Snapshot empty_world(Point robot, Point goal) {
   Snapshot snapshot;
@@ -46,12 +43,12 @@ Walk walk(const std::string& call, Snapshot world, const std::vector<Disc>& disc
   walk.places.push_back(world.robot);
   world.discs = discs;
   for (world.step = 0; !meter.exhausted(); ++world.step) {
-    walk.arrived = distance(world.robot, world.goal) <= world.arrival;
+    walk.arrived = separation(world.robot, world.goal) <= world.arrival;
     if (walk.arrived) break;
     Context context{Stream(seed).fork(world.step), *executor, meter};
     const Point next = navigator->next(world, context);
     meter.end_iteration();
-    walk.travelled += distance(world.robot, next);
+    walk.travelled += separation(world.robot, next);
     world.robot = next;
     walk.places.push_back(next);
   }
@@ -69,7 +66,7 @@ double clearance(const Walk& walk, Point centre) {
     const double length2 = d.x * d.x + d.y * d.y;
     const double t = length2 == 0 ? 0 : ((centre.x - p.x) * d.x + (centre.y - p.y) * d.y) / length2;
     const double at = std::min(1.0, std::max(0.0, t));
-    least = std::min(least, distance(centre, {p.x + at * d.x, p.y + at * d.y}));
+    least = std::min(least, separation(centre, {p.x + at * d.x, p.y + at * d.y}));
   }
   return least;
 }
@@ -79,12 +76,12 @@ TEST(Nasrollahy2009, WithoutObstaclesGoesStraight) {
                            "nasrollahy2009:inertia=constriction,c1=2.05,c2=2.05"}) {
     for (const Point goal : {Point{93, 50}, Point{70, 88}, Point{11, 14}}) {
       const Snapshot world = empty_world({50, 50}, goal);
-      const double start = distance(world.robot, goal);
+      const double start = separation(world.robot, goal);
       const Walk straight = walk(call, world, {}, 3);
       ASSERT_TRUE(straight.arrived) << call;
       const double steps = std::ceil((start - world.arrival) / world.robot_step);
       EXPECT_NEAR(static_cast<double>(straight.steps()), steps, 1) << call;
-      const double rest = distance(straight.places.back(), goal);
+      const double rest = separation(straight.places.back(), goal);
       EXPECT_LT(straight.travelled + rest, 1.01 * start) << call;
     }
   }
@@ -95,9 +92,9 @@ TEST(Nasrollahy2009, EveryStepHasTheLengthOfTheRobotsStepAndTheLastOneEndsOnTheG
   world.arrival = 0.01;
   const Walk exact = walk("nasrollahy2009", world, {});
   for (std::size_t k = 1; k + 1 < exact.places.size(); ++k) {
-    EXPECT_LE(distance(exact.places[k - 1], exact.places[k]), 3 + 1e-9) << k;
+    EXPECT_LE(separation(exact.places[k - 1], exact.places[k]), 3 + 1e-9) << k;
   }
-  EXPECT_NEAR(distance(exact.places[0], exact.places[1]), 3, 1e-9);
+  EXPECT_NEAR(separation(exact.places[0], exact.places[1]), 3, 1e-9);
 }
 
 TEST(Nasrollahy2009, GoesAroundADiscOnTheLineByTheNearerSide) {

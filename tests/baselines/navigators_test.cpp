@@ -93,7 +93,7 @@ TEST(DiscMap, BlocksExactlyTheCentresThatTheRobotMayNotReach) {
         const Point p{(x + 0.5) * resolution, (y + 0.5) * resolution};
         bool barred = p.x < 1 || p.y < 1 || p.x > 99 || p.y > 99;
         for (const Disc& disc : world.discs) {
-          barred = barred || distance(p, disc.centre) < disc.radius + 1 + 0.75 * resolution;
+          barred = barred || straight_line(p, disc.centre) < disc.radius + 1 + 0.75 * resolution;
         }
         ASSERT_EQ(grid.is_free({x, y}), !barred) << x << ',' << y << " at " << resolution;
       }

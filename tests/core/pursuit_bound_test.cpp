@@ -46,7 +46,7 @@ TEST(PursuitBound, HasNoneWhenTheStepsDoNotSuffice) {
 bool reaches(const World& world, std::uint64_t k) {
   WorldMotion motion(world);
   for (std::uint64_t i = 0; i < k; ++i) motion.advance(world.start);
-  const double apart = distance(world.start, motion.goal());
+  const double apart = straight_line(world.start, motion.goal());
   const double driven = std::min(apart, static_cast<double>(k) * world.robot_step);
   return apart - driven <= world.arrival + 1e-9;
 }

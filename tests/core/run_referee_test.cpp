@@ -132,8 +132,8 @@ World with_a_disc_that_moves_first(Disc disc, bool towards_the_robot) {
     world.motion = seed;
     WorldMotion motion(world);
     motion.advance(world.start);
-    const double before = distance(disc.centre, world.start);
-    const double after = distance(motion.discs()[0].centre, world.start);
+    const double before = straight_line(disc.centre, world.start);
+    const double after = straight_line(motion.discs()[0].centre, world.start);
     if (towards_the_robot ? after < before - 0.8 : after > before + 0.8) return *settled(world, "test");
   }
 }

@@ -57,9 +57,9 @@ TEST(WorldMotion, DiscsNeverOverlapAndStayInsideAndClearOfTheGoal) {
       for (std::size_t i = 0; i < motion.discs().size(); ++i) {
         const Disc& disc = motion.discs()[i];
         ASSERT_TRUE(disc.centre.x >= 5 && disc.centre.x <= 95 && disc.centre.y >= 5 && disc.centre.y <= 95);
-        ASSERT_GE(distance(disc.centre, motion.goal()), disc.radius + world.robot_radius) << k;
+        ASSERT_GE(straight_line(disc.centre, motion.goal()), disc.radius + world.robot_radius) << k;
         for (std::size_t j = 0; j < i; ++j) {
-          ASSERT_GE(distance(disc.centre, motion.discs()[j].centre), 10) << k << ' ' << i << ' ' << j;
+          ASSERT_GE(straight_line(disc.centre, motion.discs()[j].centre), 10) << k << ' ' << i << ' ' << j;
         }
       }
     }
@@ -75,13 +75,13 @@ TEST(WorldMotion, EveryMoveIsAsLongAsTheSpeedSaysAndTheGoalKeepsInside) {
     const Point goal = motion.goal();
     motion.advance({10, 50});
     for (std::size_t i = 0; i < before.size(); ++i) {
-      const double moved = distance(before[i].centre, motion.discs()[i].centre);
+      const double moved = straight_line(before[i].centre, motion.discs()[i].centre);
       if (moved > 0) {
         ++moves;
         EXPECT_NEAR(moved, 0.9, 1e-12);
       }
     }
-    const double moved = distance(goal, motion.goal());
+    const double moved = straight_line(goal, motion.goal());
     EXPECT_TRUE(moved == 0 || std::abs(moved - 1.5) < 1e-12) << moved;
     EXPECT_TRUE(motion.goal().x >= 1 && motion.goal().x <= 99 && motion.goal().y >= 1 &&
                 motion.goal().y <= 99);
@@ -140,10 +140,10 @@ TEST(WorldMotion, AFleeingGoalIsNeverNearerAfterItsMove) {
   WorldMotion motion(world);
   Point robot = world.start;
   for (std::uint64_t k = 0; k < world.max_steps; ++k) {
-    const double before = distance(robot, motion.goal());
+    const double before = straight_line(robot, motion.goal());
     motion.advance(robot);
-    EXPECT_GE(distance(robot, motion.goal()), before - 1e-12) << k;
-    const double apart = distance(robot, motion.goal());
+    EXPECT_GE(straight_line(robot, motion.goal()), before - 1e-12) << k;
+    const double apart = straight_line(robot, motion.goal());
     const double share = std::min(1.0, 3 / apart);
     robot = {robot.x + share * (motion.goal().x - robot.x), robot.y + share * (motion.goal().y - robot.y)};
   }

@@ -28,8 +28,8 @@ std::size_t touching_neighbours(const World& world, std::size_t index) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < world.discs.size(); ++i) {
     if (i == index) continue;
-    const double gap = distance(world.discs[i].centre, world.discs[index].centre) - world.discs[i].radius -
-                       world.discs[index].radius;
+    const double gap = straight_line(world.discs[i].centre, world.discs[index].centre) -
+                       world.discs[i].radius - world.discs[index].radius;
     count += std::abs(gap) < 1e-9 ? 1 : 0;
   }
   return count;
@@ -60,8 +60,8 @@ TEST(Discs, EveryListedWorldHasItsPursuitAndRoomAroundItsEnds) {
       EXPECT_EQ(world.goal_law == GoalLaw::flee, kind.name == "chase") << id;
       EXPECT_EQ(world.hash, world_hash(world)) << id;
       for (const Disc& disc : world.discs) {
-        EXPECT_GT(distance(disc.centre, world.start), disc.radius + world.robot_radius) << id;
-        EXPECT_GT(distance(disc.centre, world.goal), disc.radius + world.robot_radius) << id;
+        EXPECT_GT(straight_line(disc.centre, world.start), disc.radius + world.robot_radius) << id;
+        EXPECT_GT(straight_line(disc.centre, world.goal), disc.radius + world.robot_radius) << id;
       }
     }
   }
@@ -76,7 +76,7 @@ TEST(Discs, ARingClosesWithTouchingDiscsAroundWhomItSays) {
   const Point middle{50, 50};
   EXPECT_EQ(world_of("discs/ring,inside=robot/1").start, middle);
   EXPECT_EQ(world_of("discs/ring,inside=goal/1").goal, middle);
-  EXPECT_GT(distance(world_of("discs/ring/1").start, middle), 30);
+  EXPECT_GT(straight_line(world_of("discs/ring/1").start, middle), 30);
 }
 
 TEST(Discs, ACTrapOpensToTheRobotAndItsGapsAdmitIt) {
@@ -85,8 +85,8 @@ TEST(Discs, ACTrapOpensToTheRobotAndItsGapsAdmitIt) {
   for (std::size_t i = 0; i < world.discs.size(); ++i) EXPECT_EQ(touching_neighbours(world, i), 0U);
   double least = 100;
   for (std::size_t i = 1; i < world.discs.size(); ++i) {
-    least = std::min(least,
-                     distance(world.discs[i].centre, world.discs[i - 1].centre) - 2 * world.discs[i].radius);
+    least = std::min(
+        least, straight_line(world.discs[i].centre, world.discs[i - 1].centre) - 2 * world.discs[i].radius);
     EXPECT_FALSE(world.discs[i].centre.x < 33 && std::abs(world.discs[i].centre.y - world.start.y) < 5);
   }
   EXPECT_NEAR(least, 3, 1e-9);
