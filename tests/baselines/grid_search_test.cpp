@@ -1,4 +1,4 @@
-// Dijkstra and A*, against the oracle.
+// Dijkstra, A* and jump point search, against the oracle.
 #include "baselines/grid/grid_search.hpp"
 
 #include <gtest/gtest.h>
@@ -10,6 +10,8 @@
 #include "baselines/grid/bucket_queue.hpp"
 #include "baselines/grid/one_to_all.hpp"
 #include "baselines/grid/ring_cost.hpp"
+#include "baselines/grid/wide_bucket_queue.hpp"
+#include "core/reference/exact_search.hpp"
 #include "tests/support/maps.hpp"
 #include "tests/support/oracle.hpp"
 #include "tests/support/trials.hpp"
@@ -87,11 +89,35 @@ TEST_P(ExactSearch, MoreQueriesThanGenerationsDoNotMixUp) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ExactSearch, ::testing::Values("astar", "dijkstra"));
+INSTANTIATE_TEST_SUITE_P(All, ExactSearch, ::testing::Values("astar", "dijkstra", "jps"));
 
 TEST(AStar, ExpandsNoMoreCellsThanDijkstra) {
   const Scenario scenario = scenario_of({OccupancyGrid(40, 40), {5, 20}, {35, 20}});
   EXPECT_LT(run({"astar"}, scenario).work.checks, run({"dijkstra"}, scenario).work.checks / 10);
+}
+
+TEST(JumpPointSearch, ExpandsTheStartAloneWhereNoCornerIsInTheWay) {
+  EXPECT_EQ(run({"jps"}, scenario_of({OccupancyGrid(200, 150), {3, 140}, {190, 20}})).work.checks, 1U);
+}
+
+TEST(JumpPointSearch, FindsTheOptimumOnMapsWiderThanAMachineWord) {
+  for (std::uint64_t i = 0; i < 30; ++i) {
+    Stream stream = Stream(71).fork(i);
+    const double density = 0.02 + 0.01 * static_cast<double>(i);
+    const OccupancyGrid grid = random_grid(stream.fork(0), 150 - static_cast<int>(i), 140, density);
+    const std::vector<Cell> cells = free_cells_of(grid);
+    const Cell start = cells[stream.below(cells.size())];
+    const Cell goal = cells[stream.below(cells.size())];
+    for (const MoveRule rule : all_rules) {
+      const Scenario scenario = scenario_of({grid, start, goal}, rule);
+      const TrialRecord record = run({"jps"}, scenario);
+      const Optimum optimum = reference::optimum(scenario.terrain, start, goal);
+      ASSERT_EQ(record.verdict, optimum.length ? Verdict::solved : Verdict::no_path) << i << name(rule);
+      if (optimum.length) {
+        ASSERT_EQ(record.metrics->lattice, optimum.length) << i << ' ' << name(rule);
+      }
+    }
+  }
 }
 
 TEST(OneToAll, MeasuresTheOraclesDistances) {
@@ -172,6 +198,13 @@ TEST(BucketQueue, ReturnsCostsInOrderUpToTheBucketsWidth) {
   baselines::BucketQueue queue;
   expect_order<baselines::BucketQueue>(queue, 2 * baselines::diagonal_cost,
                                        [](baselines::BucketQueue& q) { return q.advance(); });
+}
+
+TEST(WideBucketQueue, ReturnsCostsInOrderUpToTheBucketsWidth) {
+  const baselines::RingCost rise = 500 * baselines::diagonal_cost;
+  baselines::WideBucketQueue queue(rise);
+  expect_order<baselines::WideBucketQueue>(queue, rise,
+                                           [](baselines::WideBucketQueue& q) { return !q.empty(); });
 }
 
 }  // namespace
