@@ -30,19 +30,23 @@ struct Run {
   bool at_jump_point;
 };
 
-/// The rows of a map, or its columns.
+/// The rows of a map, or its columns. No cell is both a wall and a jump point.
 class JumpLines {
  public:
   enum Layer : std::size_t { wall, jump_up, jump_down };
 
-  /// All walls.
+  /// Lines of so many cells, to be read in.
   JumpLines(int lines, int length)
       : pitch_(margin + static_cast<std::size_t>(length + 7) / 8 + margin),
         bytes_(static_cast<std::size_t>(lines) * 3 * pitch_, 0) {
     for (std::size_t line = 0; line < static_cast<std::size_t>(lines); ++line) {
-      std::memset(bytes_.data() + 3 * line * pitch_, 0xFF, pitch_);
+      std::memset(bytes_.data() + 3 * line * pitch_, 0xFF, pitch_);  // the wall layer, margins included
     }
   }
+
+  /// Takes a line's layers from codes, one byte per cell in which bit `layer` stands for each layer. What
+  /// follows the last cell must be a wall, and seven more bytes must be readable.
+  void read(int line, const std::uint8_t* codes);
 
   bool test(Layer layer, int line, int bit) const {
     return (bytes_[offset(layer, line, bit >> 3)] >> (bit & 7) & 1) != 0;
