@@ -9,6 +9,7 @@ PlannerCard astar_card() {
   card.name = "astar";
   card.kind = Kind::search;
   card.summary = "A* on the grid: an optimal path, with exact integer costs";
+  card.version = 2;
   card.source = "P. Hart, N. Nilsson, B. Raphael, IEEE Trans. SSC 4(2), 1968";
   return without_parameters(std::move(card), [](const Terrain& terrain) -> std::unique_ptr<MapPlanner> {
     if (terrain.rule == MoveRule::four) return std::make_unique<GridSearch<ManhattanDistance>>(terrain);

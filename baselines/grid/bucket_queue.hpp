@@ -18,41 +18,48 @@ namespace pathrace::baselines {
 class BucketQueue {
  public:
   void restart(RingCost first) {
-    for (auto& bucket : buckets_) bucket.clear();
+    for (Stack& bucket : buckets_) bucket.size = 0;
     base_ = first;
     current_ = 0;
-    size_ = 0;
   }
-
-  bool empty() const { return size_ == 0; }
 
   void push(RingCost f, std::uint32_t entry) {
-    buckets_[((f - base_) >> width_bits) & ring_mask].push_back(entry);
-    ++size_;
+    Stack& bucket = buckets_[((f - base_) >> width_bits) & ring_mask];
+    if (bucket.size == bucket.entries.size()) bucket.entries.resize(2 * bucket.size + 64);
+    bucket.entries[bucket.size++] = entry;
   }
 
-  /// Expects a non-empty queue.
+  /// True while entries of the current bucket remain.
+  bool current_bucket_has_more() const { return buckets_[current_].size > 0; }
+
+  /// The last entry of the current bucket. Expects that there is one.
   std::uint32_t pop() {
-    while (buckets_[current_ & ring_mask].empty()) ++current_;
-    auto& bucket = buckets_[current_ & ring_mask];
-    const std::uint32_t entry = bucket.back();
-    bucket.pop_back();
-    --size_;
-    return entry;
+    Stack& bucket = buckets_[current_];
+    return bucket.entries[--bucket.size];
   }
 
-  /// True while entries of the bucket that was popped last remain.
-  bool current_bucket_has_more() const { return !buckets_[current_ & ring_mask].empty(); }
+  /// Makes the next bucket that is not empty the current one; false when all are empty.
+  bool advance() {
+    for (std::size_t step = 0; step <= ring_mask; ++step) {
+      if (current_bucket_has_more()) return true;
+      current_ = (current_ + 1) & ring_mask;
+    }
+    return false;
+  }
 
  private:
   static constexpr int width_bits = 23;
   static constexpr std::size_t ring_mask = 7;
   static_assert(2 * diagonal_cost < (ring_mask << width_bits));
 
-  std::array<std::vector<std::uint32_t>, ring_mask + 1> buckets_;
+  struct Stack {
+    std::vector<std::uint32_t> entries;  // the first `size` of them count
+    std::size_t size = 0;
+  };
+
+  std::array<Stack, ring_mask + 1> buckets_;
   RingCost base_ = 0;
-  std::size_t current_ = 0;
-  std::size_t size_ = 0;
+  std::size_t current_ = 0;  // in the ring
 };
 
 }  // namespace pathrace::baselines

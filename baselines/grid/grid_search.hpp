@@ -1,9 +1,9 @@
 // Best-first search on the grid: Dijkstra's algorithm and A*, by the heuristic.
 //
-// One 8-byte node per padded cell: 48 bits of cost, 12 bits of generation, one bit "expanded", 3 bits for the
-// direction of the step that led here. A generation number makes a new query cost nothing: nodes of older
-// generations count as unseen. Queue entries are packed coordinates. Nothing is allocated per query once the
-// buckets have grown.
+// Steps are pruned to canonical ones (canonical_moves.hpp), so that an open map's cells are pushed about once
+// each; costs are exact integers in a bucket queue, last in first out inside a bucket, which on equal f runs
+// towards larger costs. Queue entries are packed coordinates. Nothing is allocated per query but the path,
+// once the buckets have grown.
 //
 // E. W. Dijkstra, 1959; P. Hart, N. Nilsson, B. Raphael, "A Formal Basis for the Heuristic Determination of
 // Minimum Cost Paths", IEEE Trans. SSC 4(2), 1968.
@@ -11,15 +11,20 @@
 // Template header: the heuristic is inlined into the loop.
 #pragma once
 
-#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
+#include <limits>
+#include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "baselines/grid/bucket_queue.hpp"
+#include "baselines/grid/canonical_moves.hpp"
+#include "baselines/grid/lattice_answer.hpp"
 #include "baselines/grid/ring_cost.hpp"
+#include "baselines/grid/search_nodes.hpp"
 #include "core/lattice_length.hpp"
-#include "core/moves.hpp"
 #include "core/planner.hpp"
 
 namespace pathrace::baselines {
@@ -28,122 +33,140 @@ template <typename Heuristic>
 class GridSearch final : public MapPlanner {
  public:
   explicit GridSearch(const Terrain& terrain)
-      : grid_(*terrain.grid), moves_(grid_, terrain.rule), nodes_(grid_.padded_size(), 0) {}
+      : grid_(*terrain.grid),
+        moves_(CanonicalMoves::of(terrain.rule)),
+        neighbours_(free_neighbours(grid_)),
+        nodes_(grid_.padded_size()) {
+    const auto stride = static_cast<std::ptrdiff_t>(grid_.stride());
+    for (std::size_t d = 0; d < steps_.size(); ++d) {
+      const Cell step = directions[d];
+      steps_[d] = {step.y * stride + step.x, pack(step), step_cost(static_cast<int>(d))};
+    }
+  }
 
   /// One evaluation (the path found), one iteration; a check is a cell expanded.
   Answer plan(Cell start, Cell goal, Context& context) override {
     if (context.meter.exhausted()) return std::nullopt;
-    begin_query(start, goal);
-    const Outcome outcome = search(goal, context.meter);
-    context.meter.spend_checks(expanded_);
-    if (outcome == Outcome::cut) return std::nullopt;
-    context.meter.end_iteration();
-    if (outcome == Outcome::no_way) {
-      context.meter.conclude();
-      return std::nullopt;
-    }
-    context.meter.spend_evaluations(1);
-    LatticeLength length;
-    Path path = extract(start, goal, length);
-    context.meter.improved(length.value());
-    return path;
+    const Outcome outcome = search(start, goal, context.meter);
+    report(outcome, expanded_, context.meter);
+    if (outcome != Outcome::found) return std::nullopt;
+    context.meter.improved(distance(goal)->value());
+    return extract(goal);
+  }
+
+  /// Expands every cell that can be reached from `start`.
+  void flood(Cell start) requires(std::is_same_v<Heuristic, ZeroDistance>) {
+    search(start, std::nullopt, Meter(Budget{}));
+  }
+
+  /// The least length from the start of the last flood, or of a search that came this far; nothing for other
+  /// cells. The cell lies on the map.
+  std::optional<LatticeLength> distance(Cell cell) const {
+    const std::size_t index = grid_.index(cell);
+    if (!nodes_.seen(index)) return std::nullopt;
+    return lattice_length(nodes_.cost(index));
   }
 
  private:
-  static constexpr int cost_shift = 16;
-  static constexpr std::uint64_t generation_mask = 0xFFF;
-  static constexpr std::uint64_t expanded_bit = 8;
-  static constexpr std::uint64_t direction_mask = 7;
-  static constexpr std::uint64_t clock_interval = 4096;
+  static constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
 
-  enum class Outcome { found, no_way, cut };
+  struct Step {
+    std::ptrdiff_t index;  // what it adds to a padded index,
+    std::uint32_t entry;   // to a queue entry, modulo 2^32,
+    RingCost cost;         // and to the cost
+  };
 
-  static RingCost cost_of(std::uint64_t node) { return node >> cost_shift; }
-  std::uint64_t pack(RingCost cost, std::uint64_t direction) const {
-    return cost << cost_shift | generation_ << 4 | direction;
+  static std::uint32_t pack(Cell cell) {
+    return (static_cast<std::uint32_t>(cell.y) << 16) + static_cast<std::uint32_t>(cell.x);
   }
-  bool seen(std::uint64_t node) const { return (node >> 4 & generation_mask) == generation_; }
-
-  static std::uint32_t entry(Cell cell) {
-    return static_cast<std::uint32_t>(cell.y) << 16 | static_cast<std::uint32_t>(cell.x);
-  }
-  static Cell cell_of(std::uint32_t entry) {
+  static Cell unpack(std::uint32_t entry) {
     return {static_cast<int>(entry & 0xFFFF), static_cast<int>(entry >> 16)};
   }
 
-  RingCost estimate(Cell cell, Cell goal) const { return heuristic_(goal.x - cell.x, goal.y - cell.y); }
+  RingCost estimate(Cell cell) const { return heuristic_(goal_.x - cell.x, goal_.y - cell.y); }
 
-  void begin_query(Cell start, Cell goal) {
-    if (generation_ == generation_mask) {
-      std::fill(nodes_.begin(), nodes_.end(), 0);
-      generation_ = 0;
-    }
-    ++generation_;
+  Outcome search(Cell start, std::optional<Cell> goal, const Meter& meter) {
+    goal_ = goal.value_or(start);
     expanded_ = 0;
-    nodes_[grid_.index(start)] = pack(0, 0);
-    open_.restart(estimate(start, goal));
-    open_.push(estimate(start, goal), entry(start));
+    limit_ = meter.checks_left();
+    const std::size_t first = grid_.index(start);
+    nodes_.restart();
+    nodes_.reach(first, 0, 0);
+    open_.restart(estimate(start));
+    if (start == goal) return Outcome::found;
+    if (!admit(meter)) return Outcome::cut;
+    nodes_.mark_expanded(first);
+    try_steps(moves_.legal(neighbours_[first]), pack(start), first, 0);
+    return run(goal ? grid_.index(*goal) : nowhere, meter);
+  }
+
+  bool admit(const Meter& meter) {
+    if (expanded_ == limit_) return false;
+    return ++expanded_ % clock_interval != 0 || !meter.out_of_time();
   }
 
   // The goal is certain once the bucket it was popped from is empty: until then a cell of that bucket with a
   // smaller f might still improve it, so only those are expanded.
-  Outcome search(Cell goal, const Meter& meter) {
-    const std::size_t target = grid_.index(goal);
-    const std::uint64_t limit = meter.checks_left();
+  Outcome run(std::size_t target, const Meter& meter) {
     bool found = false;
-    while (!open_.empty() && !(found && !open_.current_bucket_has_more())) {
-      const Cell cell = cell_of(open_.pop());
-      const std::size_t index = grid_.index(cell);
-      const std::uint64_t node = nodes_[index];
-      if ((node & expanded_bit) != 0) continue;
-      if (found && cost_of(node) + estimate(cell, goal) >= cost_of(nodes_[target])) continue;
-      nodes_[index] = node | expanded_bit;
-      if (index == target) {
-        found = true;
-        continue;
+    while (!found && open_.advance()) {
+      while (open_.current_bucket_has_more()) {
+        const std::uint32_t entry = open_.pop();
+        const Cell cell = unpack(entry);
+        const std::size_t index = grid_.index(cell);
+        if (nodes_.expanded(index)) continue;
+        const RingCost cost = nodes_.cost(index);
+        if (found && cost + estimate(cell) >= nodes_.cost(target)) continue;
+        nodes_.mark_expanded(index);
+        if (index == target) {
+          found = true;
+          continue;
+        }
+        if (!admit(meter)) return Outcome::cut;
+        try_steps(moves_.after(nodes_.direction(index), neighbours_[index]), entry, index, cost);
       }
-      if (expanded_ == limit) return Outcome::cut;
-      if (++expanded_ % clock_interval == 0 && meter.out_of_time()) return Outcome::cut;
-      expand(cell, index, cost_of(node), goal);
     }
     return found ? Outcome::found : Outcome::no_way;
   }
 
-  void expand(Cell cell, std::size_t index, RingCost cost, Cell goal) {
-    for (unsigned mask = moves_[index]; mask != 0; mask &= mask - 1) {
-      const int direction = std::countr_zero(mask);
-      const std::size_t next = moves_.step(index, direction);
-      const RingCost next_cost = cost + step_cost(direction);
-      const std::uint64_t known = nodes_[next];
-      if (seen(known) && cost_of(known) <= next_cost) continue;
-      nodes_[next] = pack(next_cost, static_cast<std::uint64_t>(direction));
-      const Cell step = directions[static_cast<std::size_t>(direction)];
-      const Cell there{cell.x + step.x, cell.y + step.y};
-      open_.push(next_cost + estimate(there, goal), entry(there));
+  void try_steps(unsigned mask, std::uint32_t entry, std::size_t index, RingCost cost) {
+    for (; mask != 0; mask &= mask - 1) {
+      const auto direction = static_cast<unsigned>(std::countr_zero(mask));
+      const Step& step = steps_[direction];
+      const std::size_t next = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(index) + step.index);
+      const RingCost next_cost = cost + step.cost;
+      if (!nodes_.reach(next, next_cost, direction)) continue;
+      const std::uint32_t next_entry = entry + step.entry;
+      open_.push(next_cost + estimate(unpack(next_entry)), next_entry);
     }
   }
 
-  Path extract(Cell start, Cell goal, LatticeLength& length) const {
+  Path extract(Cell goal) const {
+    const LatticeLength length = *distance(goal);
     Path path;
+    path.points.resize(static_cast<std::size_t>(length.straight + length.diagonal) + 1);
+    std::size_t index = grid_.index(goal);
     Cell cell = goal;
-    path.points.push_back(centre(cell));
-    while (cell != start) {
-      const auto direction = static_cast<std::size_t>(nodes_[grid_.index(cell)] & direction_mask);
-      (is_diagonal(static_cast<int>(direction)) ? length.diagonal : length.straight) += 1;
+    for (std::size_t i = path.points.size() - 1; i > 0; --i) {
+      path.points[i] = centre(cell);
+      const unsigned direction = nodes_.direction(index);
       cell = {cell.x - directions[direction].x, cell.y - directions[direction].y};
-      path.points.push_back(centre(cell));
+      index = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(index) - steps_[direction].index);
     }
-    std::reverse(path.points.begin(), path.points.end());
+    path.points.front() = centre(cell);
     return path;
   }
 
   const OccupancyGrid& grid_;
-  MoveTable moves_;
-  std::vector<std::uint64_t> nodes_;
+  const CanonicalMoves& moves_;
+  std::vector<std::uint8_t> neighbours_;
+  SearchNodes nodes_;
+  std::array<Step, direction_count> steps_{};
   BucketQueue open_;
   Heuristic heuristic_;
-  std::uint64_t generation_ = 0;
+  Cell goal_;
   std::uint64_t expanded_ = 0;
+  std::uint64_t limit_ = 0;
 };
 
 }  // namespace pathrace::baselines

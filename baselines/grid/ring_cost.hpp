@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "core/move_rule.hpp"
+#include "core/lattice_length.hpp"
 #include "core/moves.hpp"
 
 namespace pathrace::baselines {
@@ -23,6 +23,14 @@ static_assert(diagonal_cost * diagonal_cost - 2 * straight_cost * straight_cost 
 
 constexpr RingCost step_cost(int direction) {
   return is_diagonal(direction) ? diagonal_cost : straight_cost;
+}
+
+/// The counts of steps that cost this much: p^2 = 1 modulo q, so p times the cost gives back the number of
+/// diagonal steps modulo q.
+constexpr LatticeLength lattice_length(RingCost cost) {
+  const RingCost diagonal = cost % straight_cost * (diagonal_cost % straight_cost) % straight_cost;
+  return {static_cast<std::int64_t>((cost - diagonal * diagonal_cost) / straight_cost),
+          static_cast<std::int64_t>(diagonal)};
 }
 
 /// Length of a shortest path between two cells of an empty map.

@@ -1,4 +1,4 @@
-// Dijkstra and A*, against the oracle.
+// Dijkstra, A* and jump point search, against the oracle.
 #include "baselines/grid/grid_search.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,10 @@
 #include <vector>
 
 #include "baselines/grid/bucket_queue.hpp"
+#include "baselines/grid/one_to_all.hpp"
 #include "baselines/grid/ring_cost.hpp"
+#include "baselines/grid/wide_bucket_queue.hpp"
+#include "core/reference/exact_search.hpp"
 #include "tests/support/maps.hpp"
 #include "tests/support/oracle.hpp"
 #include "tests/support/trials.hpp"
@@ -44,7 +47,10 @@ TEST_P(ExactSearch, FindsTheStatedOptimaOfTheReferenceMaps) {
 }
 
 TEST_P(ExactSearch, StopsAtTheBudgetOfChecksExactlyAndSaysSo) {
-  const Scenario scenario = scenario_of({OccupancyGrid(30, 30), {0, 15}, {29, 15}});
+  OccupancyGrid grid(30, 30);
+  for (int y = 5; y < 28; ++y) grid.block({12, y});
+  for (int y = 0; y < 22; ++y) grid.block({20, y});
+  const Scenario scenario = scenario_of({grid, {0, 15}, {29, 15}});
   const std::uint64_t needed = run({GetParam()}, scenario).work.checks;
   Budget budget;
   budget.checks = needed - 1;
@@ -83,11 +89,66 @@ TEST_P(ExactSearch, MoreQueriesThanGenerationsDoNotMixUp) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ExactSearch, ::testing::Values("astar", "dijkstra"));
+INSTANTIATE_TEST_SUITE_P(All, ExactSearch, ::testing::Values("astar", "dijkstra", "jps"));
 
 TEST(AStar, ExpandsNoMoreCellsThanDijkstra) {
   const Scenario scenario = scenario_of({OccupancyGrid(40, 40), {5, 20}, {35, 20}});
   EXPECT_LT(run({"astar"}, scenario).work.checks, run({"dijkstra"}, scenario).work.checks / 10);
+}
+
+TEST(JumpPointSearch, ExpandsTheStartAloneWhereNoCornerIsInTheWay) {
+  EXPECT_EQ(run({"jps"}, scenario_of({OccupancyGrid(200, 150), {3, 140}, {190, 20}})).work.checks, 1U);
+}
+
+TEST(JumpPointSearch, FindsTheOptimumOnMapsWiderThanAMachineWord) {
+  for (std::uint64_t i = 0; i < 30; ++i) {
+    Stream stream = Stream(71).fork(i);
+    const double density = 0.02 + 0.01 * static_cast<double>(i);
+    const OccupancyGrid grid = random_grid(stream.fork(0), 150 - static_cast<int>(i), 140, density);
+    const std::vector<Cell> cells = free_cells_of(grid);
+    const Cell start = cells[stream.below(cells.size())];
+    const Cell goal = cells[stream.below(cells.size())];
+    for (const MoveRule rule : all_rules) {
+      const Scenario scenario = scenario_of({grid, start, goal}, rule);
+      const TrialRecord record = run({"jps"}, scenario);
+      const Optimum optimum = reference::optimum(scenario.terrain, start, goal);
+      ASSERT_EQ(record.verdict, optimum.length ? Verdict::solved : Verdict::no_path) << i << name(rule);
+      if (optimum.length) {
+        ASSERT_EQ(record.metrics->lattice, optimum.length) << i << ' ' << name(rule);
+      }
+    }
+  }
+}
+
+TEST(OneToAll, MeasuresTheOraclesDistances) {
+  for (std::uint64_t i = 0; i < 20; ++i) {
+    const Question question = random_question(Stream(73).fork(i), 9, 0.4);
+    for (const MoveRule rule : all_rules) {
+      const Terrain terrain = terrain_of(question.grid, rule);
+      baselines::OneToAll distances(terrain);
+      for (const Cell source : {question.start, question.goal}) {
+        distances.measure(source);
+        for (const Cell cell : free_cells_of(question.grid)) {
+          ASSERT_EQ(distances.distance(cell), oracle_optimum(question.grid, rule, source, cell))
+              << i << ' ' << name(rule);
+        }
+      }
+    }
+  }
+}
+
+TEST(RingCost, GivesBackTheCountsOfSteps) {
+  for (const LatticeLength length : {LatticeLength{0, 0},
+                                     {1, 0},
+                                     {0, 1},
+                                     {1393, 985},
+                                     {16'000'000, 0},
+                                     {3, 15'994'427},
+                                     {8'000'000, 7'000'000}}) {
+    const auto cost = static_cast<baselines::RingCost>(length.straight) * baselines::straight_cost +
+                      static_cast<baselines::RingCost>(length.diagonal) * baselines::diagonal_cost;
+    EXPECT_EQ(baselines::lattice_length(cost), length);
+  }
 }
 
 TEST(RingCost, OrdersLikeTheExactLengthsEvenWhenTheyNearlyTie) {
@@ -107,24 +168,43 @@ TEST(RingCost, OrdersLikeTheExactLengthsEvenWhenTheyNearlyTie) {
   }
 }
 
-TEST(BucketQueue, ReturnsCostsInOrderUpToTheBucketsWidth) {
-  baselines::BucketQueue queue;
+// Pushes like a search, up to `rise` above what was popped: costs never fall back by a bucket's width.
+template <typename Queue>
+void expect_order(Queue& queue, baselines::RingCost rise, bool (*more)(Queue&)) {
   queue.restart(0);
   queue.push(0, 0);
   Stream stream(67);
   baselines::RingCost last = 0;
   std::vector<baselines::RingCost> cost_of{0};
-  for (int i = 0; i < 20000 && !queue.empty(); ++i) {
-    const baselines::RingCost cost = cost_of[queue.pop()];
+  std::vector<bool> popped;
+  int i = 0;
+  for (; i < 20000 && more(queue); ++i) {
+    const std::uint32_t entry = queue.pop();
+    const baselines::RingCost cost = cost_of[entry];
+    popped.resize(cost_of.size());
+    ASSERT_FALSE(popped[entry]);
+    popped[entry] = true;
     ASSERT_GE(cost + (1U << 23), last);
     last = std::max(last, cost);
-    for (std::uint64_t k = stream.below(3); k > 0;
-         --k) {  // like a search: from a step's least rise to its most
-      cost_of.push_back(cost + stream.below(2 * baselines::diagonal_cost));
+    for (std::uint64_t k = i < 5 ? 3 : stream.below(3); k > 0; --k) {
+      cost_of.push_back(cost + stream.below(rise));
       queue.push(cost_of.back(), static_cast<std::uint32_t>(cost_of.size() - 1));
     }
   }
-  EXPECT_GT(cost_of.size(), 100U);
+  EXPECT_GT(i, 100);
+}
+
+TEST(BucketQueue, ReturnsCostsInOrderUpToTheBucketsWidth) {
+  baselines::BucketQueue queue;
+  expect_order<baselines::BucketQueue>(queue, 2 * baselines::diagonal_cost,
+                                       [](baselines::BucketQueue& q) { return q.advance(); });
+}
+
+TEST(WideBucketQueue, ReturnsCostsInOrderUpToTheBucketsWidth) {
+  const baselines::RingCost rise = 500 * baselines::diagonal_cost;
+  baselines::WideBucketQueue queue(rise);
+  expect_order<baselines::WideBucketQueue>(queue, rise,
+                                           [](baselines::WideBucketQueue& q) { return !q.empty(); });
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The open MovingAI data: every optimum, by A* through the referee.
+// The open MovingAI data: every optimum, by each exact search, through the referee.
 #include <gtest/gtest.h>
 
 #include "bench/roster.hpp"
@@ -21,18 +21,29 @@ std::size_t matched_by(const std::string& planner, std::size_t limit) {
   return matched;
 }
 
-TEST(RecordedData, AStarFindsEveryRecordedOptimum) {
-  if (!testing::data_folder()) GTEST_SKIP() << testing::without_data;
 #if defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-  EXPECT_EQ(matched_by("astar", 1'000'000), 23419U);
+constexpr bool slow_build = false;
 #else
-  EXPECT_EQ(matched_by("astar", 20), 31U * 20);  // instrumented code is slow: twenty queries of each file
+constexpr bool slow_build = true;  // twenty queries of each file
 #endif
+
+class RecordedData : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(RecordedData, EveryRecordedOptimumIsFound) {
+  if (!testing::data_folder()) GTEST_SKIP() << testing::without_data;
+  EXPECT_EQ(matched_by(GetParam(), slow_build ? 20 : 1'000'000), slow_build ? 31U * 20 : 23419U);
 }
 
-TEST(RecordedData, DijkstraAgreesOnASample) {
+INSTANTIATE_TEST_SUITE_P(Exact, RecordedData, ::testing::Values("astar", "jps"));
+
+TEST(RecordedDijkstra, FindsTheRecordedOptimaOfASample) {
   if (!testing::data_folder()) GTEST_SKIP() << testing::without_data;
-  EXPECT_EQ(matched_by("dijkstra", 5), 31U * 5);
+  EXPECT_EQ(matched_by("dijkstra", 20), 31U * 20);
+}
+
+TEST(RecordedAnyAngle, TheProvenOptimumIsNeverLongerThanARecordedOne) {
+  if (!testing::data_folder()) GTEST_SKIP() << testing::without_data;
+  EXPECT_EQ(matched_by("any-angle-optimum", 5), 31U * 5);
 }
 
 }  // namespace
