@@ -14,7 +14,7 @@ namespace pathrace::algorithms {
 template <typename T>
 class HugePages {
  public:
-  using value_type = T;
+  using value_type = T;  // NOLINT(readability-identifier-naming): the standard library asks for this name
 
   HugePages() = default;
   template <typename U>

@@ -145,7 +145,8 @@ Crossing WallMap::Rows::slope_narrow(Tick upper, Tick lower) const {
   const std::int64_t bottom = (lower.y - 1) >> side_bits;
   const double ratio = static_cast<double>(lower.x - upper.x) / static_cast<double>(lower.y - upper.y);
   const auto slope = static_cast<std::int64_t>(ratio * 0x1.0p40);
-  const std::int64_t to_line = (top + 1) * side - upper.y;
+  // Within one row no line is crossed and the place is not used: it must not overflow there.
+  const std::int64_t to_line = std::min<std::int64_t>((top + 1) * side, lower.y) - upper.y;
   std::int64_t place = (std::int64_t{upper.x} << (digits - side_bits)) + ((slope * to_line) >> side_bits);
 
   Crossing crossing{corner(upper) + corner(lower), 0};

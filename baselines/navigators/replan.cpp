@@ -84,10 +84,11 @@ class Replan final : public Navigator {
   static std::optional<Point> step_along(const std::vector<Point>& way, const Snapshot& snapshot,
                                          Meter& meter) {
     for (const bool whole : {true, false}) {
-      for (auto point = way.rbegin(); point != way.rend(); ++point) {
+      for (std::size_t left = way.size(); left > 0; --left) {
         if (!afford(meter, snapshot.discs.size())) return std::nullopt;
-        const Point step = kept_inside(snapshot, towards(snapshot.robot, *point, snapshot.robot_step));
-        if (step != snapshot.robot && is_free_way(snapshot, whole ? *point : step)) return step;
+        const Point point = way[left - 1];
+        const Point step = kept_inside(snapshot, towards(snapshot.robot, point, snapshot.robot_step));
+        if (step != snapshot.robot && is_free_way(snapshot, whole ? point : step)) return step;
       }
     }
     return std::nullopt;
@@ -159,7 +160,7 @@ std::string spell(const Catalogue& planners, const std::vector<ParameterCard>& c
 
 }  // namespace
 
-PlannerCard replan_card(std::shared_ptr<const Catalogue> planners) {
+PlannerCard replan_card(const std::shared_ptr<const Catalogue>& planners) {
   PlannerCard card;
   card.name = "replan";
   card.kind = Kind::navigator;

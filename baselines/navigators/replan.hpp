@@ -8,6 +8,6 @@
 namespace pathrace::baselines {
 
 /// `planners`: what PLANNER may be.
-PlannerCard replan_card(std::shared_ptr<const Catalogue> planners);
+PlannerCard replan_card(const std::shared_ptr<const Catalogue>& planners);
 
 }  // namespace pathrace::baselines
