@@ -16,7 +16,11 @@ class Inspector {
  public:
   Inspector(const OccupancyGrid& grid, Meter& meter) : space_(grid), meter_(meter) {}
 
-  bool may_be(Point point) { return !spent() && charge(space_.at(point, meter_.checks_left())); }
+  bool may_be(Point point) {
+    if (closed_) return true;
+    if (spent()) return space_.at(point, Meter::unlimited).free;
+    return charge(space_.at(point, meter_.checks_left()));
+  }
   bool may_go(Point from, Point to) {
     return !spent() && charge(space_.along(from, to, meter_.checks_left()));
   }
