@@ -58,7 +58,9 @@ class Race {
     problem_->setGoal(region);
     problem_->setIntermediateSolutionCallback(
         [this](const ob::Planner*, const std::vector<const ob::State*>& states, ob::Cost cost) {
-          meter_.improved(cost.value() + gap_to_goal(states));
+          const double length = cost.value() + gap_to_goal(states);
+          straight_ = straight_ || length <= distance(start_, goal_) * (1 + 1e-9);
+          meter_.improved(length);
         });
   }
 
@@ -85,10 +87,11 @@ class Race {
     return state;
   }
 
-  // Asked by the planner once a round. The rounds are the meter's iterations.
+  // Asked by the planner once a round. The rounds are the meter's iterations. Nothing is shorter than a
+  // straight path, and the library's ordered sampler would look for a better one for ever.
   bool must_stop() {
     const bool enough_calls = settings_.max_calls != 0 && calls_ >= settings_.max_calls;
-    if (enough_calls || inspector_.spent() || meter_.exhausted()) {
+    if (straight_ || enough_calls || inspector_.spent() || meter_.exhausted()) {
       inspector_.close();
       return true;
     }
@@ -149,6 +152,7 @@ class Race {
   std::shared_ptr<ob::SpaceInformation> si_;
   std::shared_ptr<ob::ProblemDefinition> problem_;
   std::uint64_t calls_ = 0;
+  bool straight_ = false;  // a path as short as the distance has been found
 };
 
 }  // namespace

@@ -127,7 +127,9 @@ TEST(FreeSpace, TheReachEndsRightBeforeTheFirstBlockedSquare) {
     const FreeSpace space(grid);
     const Point from = random_point(stream, grid);
     const Point to = random_point(stream, grid);
-    if (!space.at(from, unlimited).free || space.along(from, to, unlimited).free) continue;
+    const bool on_the_map = to.x >= space.low() && to.y >= space.low() && to.x <= space.high_x() &&
+                            to.y <= space.high_y();  // the map's very edge is not
+    if (!on_the_map || !space.at(from, unlimited).free || space.along(from, to, unlimited).free) continue;
     const auto at = [&](double t) -> Point {
       return {from.x + (to.x - from.x) * t, from.y + (to.y - from.y) * t};
     };

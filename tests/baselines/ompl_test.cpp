@@ -101,7 +101,7 @@ TEST(Ompl, ImprovingPlannersRecordTheirImprovements) {
   for (const char* const planner : {"ompl-rrt-star", "ompl-informed-rrt-star", "ompl-rrtx", "ompl-bit-star",
                                     "ompl-ait-star", "ompl-prm-star", "ompl-lazy-prm-star"}) {
     const Scenario scenario = dense(3);
-    const TrialRecord record = run({planner, evaluations(3000)}, scenario);
+    const TrialRecord record = run({planner, evaluations(12000)}, scenario);
     EXPECT_GE(record.trace.size(), 3U) << planner;
   }
 }
