@@ -11,10 +11,6 @@ namespace {
 
 namespace ob = ompl::base;
 
-struct PlaneState : ob::RealVectorStateSpace::StateType {
-  double xy[2] = {0, 0};
-};
-
 class CellProjection final : public ob::ProjectionEvaluator {
  public:
   using ob::ProjectionEvaluator::ProjectionEvaluator;
@@ -95,13 +91,18 @@ void Plane::copyState(ob::State* to, const ob::State* from) const {
 }
 
 ob::State* Plane::allocState() const {
-  auto* const state = new PlaneState;
-  state->values = state->xy;
-  return state;
+  if (!free_.empty()) {
+    ob::State* const state = free_.back();
+    free_.pop_back();
+    return state;
+  }
+  PlaneState& state = states_.emplace_back();
+  state.values = state.xy;
+  return &state;
 }
 
 void Plane::freeState(ob::State* state) const {
-  delete static_cast<PlaneState*>(state);
+  free_.push_back(state);
 }
 
 std::shared_ptr<ob::SpaceInformation> inspected_plane(Inspector& inspector) {

@@ -5,8 +5,10 @@
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 
+#include <deque>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "baselines/ompl/inspector.hpp"
 
@@ -22,9 +24,16 @@ class Plane final : public ompl::base::RealVectorStateSpace {
   void registerProjections() override;
   double distance(const ompl::base::State* a, const ompl::base::State* b) const override;
   void copyState(ompl::base::State* to, const ompl::base::State* from) const override;
-  // One allocation a state, where the library makes two.
+  // States live in the plane: some planners never give theirs back. One thread at a time.
   ompl::base::State* allocState() const override;
   void freeState(ompl::base::State* state) const override;
+
+ private:
+  struct PlaneState : StateType {
+    double xy[2] = {0, 0};
+  };
+  mutable std::deque<PlaneState> states_;
+  mutable std::vector<ompl::base::State*> free_;
 };
 
 inline Point point_of(const ompl::base::State* state) {
