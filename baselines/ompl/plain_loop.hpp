@@ -18,6 +18,6 @@ struct PlainRun {
 };
 
 /// Runs until solved, or until the planner has asked `calls` times whether to stop.
-PlainRun plain_loop(PlainPlanner planner, const Problem& problem, const Stream& stream, std::uint64_t calls);
+PlainRun plain_loop(PlainPlanner kind, const Problem& problem, const Stream& stream, std::uint64_t calls);
 
 }  // namespace pathrace::baselines
