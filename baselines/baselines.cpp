@@ -1,5 +1,11 @@
 #include "baselines/baselines.hpp"
 
+#ifdef PATHRACE_OMPL
+#include <iterator>
+
+#include "baselines/ompl/cards.hpp"
+#endif
+
 namespace pathrace::baselines {
 
 #define PATHRACE_PLANNER(card) PlannerCard card();
@@ -7,11 +13,16 @@ namespace pathrace::baselines {
 #undef PATHRACE_PLANNER
 
 std::vector<PlannerCard> cards() {
-  return {
+  std::vector<PlannerCard> cards = {
 #define PATHRACE_PLANNER(card) card(),
 #include "baselines/planners.def"
 #undef PATHRACE_PLANNER
   };
+#ifdef PATHRACE_OMPL
+  std::vector<PlannerCard> library = ompl_cards();
+  cards.insert(cards.end(), std::make_move_iterator(library.begin()), std::make_move_iterator(library.end()));
+#endif
+  return cards;
 }
 
 }  // namespace pathrace::baselines

@@ -1,4 +1,4 @@
-// The yardsticks: exact search and the floor baselines.
+// The yardsticks: exact search, the floor baselines, and the planners of OMPL where it is installed.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace pathrace::baselines {
 
-/// One card per line of planners.def.
+/// One card per line of planners.def and, with OMPL, of ompl/planners.def.
 std::vector<PlannerCard> cards();
 
 }  // namespace pathrace::baselines

@@ -82,7 +82,8 @@ double measure(const TrialPlan& plan, const Trial& trial, const RunOptions& opti
   const TrialRecord record =
       run_trial(plan.entrants[trial.entrant], scenario, referee, budget, stream, *executor);
   const double judged = seconds_since(begin) - ready - record.costs.wall_s;
-  const bool cut = record.timed && !(trial.budget.wall_s && *trial.budget.wall_s <= pilot_limit_s);
+  const bool stopped = record.timed && record.costs.wall_s >= *budget.wall_s;
+  const bool cut = stopped && !(trial.budget.wall_s && *trial.budget.wall_s <= pilot_limit_s);
   double planned = cut ? record.costs.wall_s / share_spent(record.work, trial.budget) : record.costs.wall_s;
   if (trial.budget.wall_s) planned = std::min(planned, *trial.budget.wall_s);
   return ready / 10 + planned + judged;  // referee and optimum are shared by a scenario's trials

@@ -70,7 +70,7 @@ TrialRecord run_trial(const Entrant& entrant, const Scenario& scenario, const Re
   record.work = meter.work();
   record.trace = meter.trace();
   record.counters = meter.counters();
-  record.timed = meter.timed();
+  record.timed = meter.timed() || !entrant.card->deterministic;
   record.costs.threads_used = executor.threads_used();
   judge(entrant, scenario, referee, meter, record);
   return record;

@@ -23,7 +23,10 @@ function(pathrace_room room)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.cpp)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${folder}/*.hpp)
   list(FILTER sources EXCLUDE REGEX "/bench/(main\\.cpp$|cli/|micro/)")
-  list(FILTER headers EXCLUDE REGEX "/bench/cli/")
+  list(FILTER headers EXCLUDE REGEX "/(bench/cli|baselines/ompl)/")  # they need libraries that are private
+  if(NOT ompl_FOUND)
+    list(FILTER sources EXCLUDE REGEX "/baselines/ompl/")
+  endif()
 
   add_library(pathrace_${room} STATIC ${sources})
   add_library(pathrace::${room} ALIAS pathrace_${room})

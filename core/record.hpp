@@ -81,7 +81,7 @@ struct TrialRecord {
   Work work;
   std::vector<TracePoint> trace;
   std::vector<Counter> counters;  ///< what the planner counted beside its work
-  bool timed = false;             ///< cut short by a wall-time limit: outside digests
+  bool timed = false;             ///< cut short by the clock, or promises no repetition: outside digests
   Costs costs;
 };
 

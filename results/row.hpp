@@ -38,7 +38,7 @@ struct TrialRow {
   std::optional<std::uint64_t> least_steps;  ///< in a dynamic world: steps of the informed pursuit
   Work work;                                 ///< evaluations, iterations, checks
   std::uint64_t digest = 0;
-  bool timed = false;  ///< cut short by a wall-time limit
+  bool timed = false;  ///< cut short by a wall-time limit, or promises no repetition
   Costs costs;
   Answer answer;  ///< the path itself
   std::vector<TracePoint> trace;

@@ -51,9 +51,12 @@ int list_planners(bool json) {
     fmt::print("{}\n", array.dump(2));
     return done;
   }
-  fmt::print("{:<14} {:<7} {:<9} {}\n", "name", "kind", "track", "what it does");
+  constexpr const char* line = "{:<{}} {:<9} {:<9} {}\n";
+  std::size_t width = 0;
+  for (const PlannerCard& card : roster().cards()) width = std::max(width, card.name.size());
+  fmt::print(line, "name", width, "kind", "track", "what it does");
   for (const PlannerCard& card : roster().cards()) {
-    fmt::print("{:<14} {:<7} {:<9} {}\n", card.name, name(card.kind), name(card.track), card.summary);
+    fmt::print(line, card.name, width, name(card.kind), name(card.track), card.summary);
   }
   return done;
 }

@@ -208,6 +208,15 @@ TEST_F(Launcher, InstallsMissingPackagesAndShowsTheLineBeforeItRunsIt) {
   EXPECT_EQ(outcome.out, "in " + home().string() + " with <>: []\n");
 }
 
+TEST_F(Launcher, NamesAMissingOptionalPackageAndBuildsWithoutIt) {
+  write(home() / "missing", "libompl-dev\n");
+  const Finished outcome = launch();
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(count_calls("apt-get"), 0U);
+  EXPECT_EQ(count_calls("cmake --build"), 1U);
+  EXPECT_NE(outcome.err.find("without the optional libompl-dev"), std::string::npos) << outcome.err;
+}
+
 TEST_F(Launcher, UpdatesThePackageListsWhenInstallingFails) {
   write(home() / "missing", "libtbb-dev\n");
   write(home() / "stale", "");

@@ -31,6 +31,9 @@ std::uint64_t signature(const std::string& call) {
 const std::map<std::string, std::string>& known_signatures() {
   static const std::map<std::string, std::string> signatures = {
 #include "tests/bench/signatures.inc"
+#ifdef PATHRACE_OMPL
+#include "tests/bench/signatures_ompl.inc"
+#endif
   };
   return signatures;
 }

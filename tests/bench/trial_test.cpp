@@ -15,9 +15,10 @@ namespace {
 using testing::grid_of;
 using testing::scenario_of;
 
-TrialRecord trial_of(PlanFunction plan, Budget budget = {}) {
+TrialRecord trial_of(PlanFunction plan, Budget budget = {}, bool deterministic = true) {
   PlannerCard card;
   card.name = "test";
+  card.deterministic = deterministic;
   card = without_parameters(std::move(card), unprepared(std::move(plan)));
   const Entrant entrant{&card, {}, "test"};
   const Scenario scenario = scenario_of({grid_of({"..", ".."}), {0, 0}, {1, 1}});
@@ -104,6 +105,13 @@ TEST(Trial, AWallLimitMarksTheRecordAsTimed) {
       budget);
   EXPECT_TRUE(record.timed);
   EXPECT_EQ(record.verdict, Verdict::budget);
+}
+
+TEST(Trial, AnAnswerThatNeedNotRepeatStaysOutsideDigestsLikeATimedOne) {
+  const TrialRecord record = trial_of(right_answer, {}, false);
+  EXPECT_EQ(record.verdict, Verdict::solved);
+  EXPECT_TRUE(record.timed);
+  EXPECT_FALSE(trial_of(right_answer).timed);
 }
 
 }  // namespace
