@@ -37,6 +37,9 @@ class Stream {
   /// The next 64 bits.
   std::uint64_t bits() { return advance(state_); }
 
+  /// What the next draws come from, for whoever advances several streams at once.
+  const std::array<std::uint64_t, 4>& state() const { return state_; }
+
   /// One step of xoshiro256++ on a raw state; public so that published vectors can be checked.
   static std::uint64_t advance(std::array<std::uint64_t, 4>& s) {
     const std::uint64_t result = std::rotl(s[0] + s[3], 23) + s[0];

@@ -96,16 +96,16 @@ bool Colony::lay_trail(Meter& meter) {
   return true;
 }
 
-// A chunk of ants has its walker, whoever runs it. A group is a chunk.
+// A walker per thread, all on the same ants; or one per group, on its own.
 void Colony::make_walkers(const Executor& executor) {
-  const auto threads = static_cast<std::size_t>(executor.threads());
-  const std::size_t undivided = threads == 1 ? 1 : 4 * threads;
-  const std::size_t chunks = groups_.empty() ? undivided : groups_.size();
-  grain_ = (walks_.size() + chunks - 1) / chunks;
+  const std::size_t ants = walks_.size();
+  const std::size_t count =
+      groups_.empty() ? std::min(ants, static_cast<std::size_t>(executor.threads())) : groups_.size();
+  group_size_ = (ants + count - 1) / count;
+  const std::size_t lanes = std::min(group_size_, Walker::lanes_for(nest_.size()));
   walkers_.clear();
-  for (std::size_t begin = 0; begin < walks_.size(); begin += grain_) {
-    walkers_.emplace_back(groups_.empty() ? *ground_ : *groups_[begin / grain_]->ground,
-                          std::min(grain_, Walker::lanes_for(nest_.size())));
+  for (std::size_t k = 0; k < count; ++k) {
+    walkers_.emplace_back(groups_.empty() ? *ground_ : *groups_[k]->ground, lanes);
   }
 }
 
@@ -131,10 +131,18 @@ void Colony::regroup(const std::vector<Taste>& tastes) {
 std::size_t Colony::walk_all(Context& context, const Stream& stream) {
   const std::size_t batch = context.meter.admitted(walks_.size());
   const std::uint64_t limit = context.meter.checks_left();
-  const auto body = [&](std::size_t begin, std::size_t end) {
-    walkers_[begin / grain_].run(begin, end, stream, limit, context.meter, walks_);
+  const auto walk = [&](std::size_t walker, AntQueue& ants) {
+    walkers_[walker].run(ants, stream, limit, context.meter, walks_);
   };
-  context.executor.run(batch, grain_, body);
+  if (groups_.empty()) {
+    AntQueue ants(0, batch);
+    for_each_index(context.executor, walkers_.size(), 1, [&](std::size_t walker) { walk(walker, ants); });
+  } else {
+    context.executor.run(batch, group_size_, [&](std::size_t begin, std::size_t end) {
+      AntQueue ants(begin, end);
+      walk(begin / group_size_, ants);
+    });
+  }
   return batch;
 }
 

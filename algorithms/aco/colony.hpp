@@ -61,7 +61,7 @@ class Colony {
   /// trail. Always the same number of tastes.
   void regroup(const std::vector<Taste>& tastes);
   /// 0 without groups.
-  std::size_t group_of(std::size_t ant) const { return groups_.empty() ? 0 : ant / grain_; }
+  std::size_t group_of(std::size_t ant) const { return groups_.empty() ? 0 : ant / group_size_; }
 
  private:
   struct Group {
@@ -87,8 +87,8 @@ class Colony {
   std::optional<Trail> trail_;
   std::optional<Ground> ground_;
   std::vector<std::unique_ptr<Group>> groups_;
-  std::vector<Walker> walkers_;  // one per chunk of ants
-  std::size_t grain_ = 1;
+  std::vector<Walker> walkers_;  // one per thread, or per group
+  std::size_t group_size_ = 1;
   std::vector<Walk> walks_;
   Walk best_;
 };

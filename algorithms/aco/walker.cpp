@@ -27,41 +27,51 @@ Walker::Walker(const Ground& ground, std::size_t lanes) : ground_(ground), lanes
   }
 }
 
-void Walker::run(std::size_t begin, std::size_t end, const Stream& stream, std::uint64_t step_limit,
-                 const Meter& meter, std::vector<Walk>& walks) {
+void Walker::run(AntQueue& ants, const Stream& stream, std::uint64_t step_limit, const Meter& meter,
+                 std::vector<Walk>& walks) {
   stream_ = &stream;
   meter_ = &meter;
   walks_ = &walks;
   limit_ = std::min(step_limit, ground_.max_steps);
   const bool with_places = ground_.dead_end == DeadEnd::revisit_with_loop_erasure;
+  const auto run = [&]<bool greedy, bool places>() {
+    is_far(ground_.nest.size()) ? run_lanes<greedy, places, true>(ants)
+                                : run_lanes<greedy, places, false>(ants);
+  };
   if (ground_.q0 > 0) {
-    with_places ? run_lanes<true, true>(begin, end) : run_lanes<true, false>(begin, end);
+    with_places ? run.operator()<true, true>() : run.operator()<true, false>();
   } else {
-    with_places ? run_lanes<false, true>(begin, end) : run_lanes<false, false>(begin, end);
+    with_places ? run.operator()<false, true>() : run.operator()<false, false>();
   }
 }
 
-template <bool greedy, bool with_places>
-void Walker::run_lanes(std::size_t next, std::size_t end) {
+template <bool greedy, bool with_places, bool far>
+void Walker::run_lanes(AntQueue& ants) {
   const Terms terms(ground_);
+  std::size_t ant = 0;
   std::size_t under_way = 0;
-  while (under_way < lanes_.size() && next < end) begin(lanes_[under_way++], next++);
+  while (under_way < lanes_.size() && ants.take(ant)) begin(under_way++, ant);
   while (under_way > 0) {
-    for (std::size_t k = 0; k < under_way; ++k) {
-      const Outcome outcome = step<greedy, with_places>(lanes_[k], terms);
-      if (outcome == Outcome::goes_on) continue;
-      finish(lanes_[k], outcome == Outcome::arrived);
-      if (next < end) {
-        begin(lanes_[k], next++);
-      } else {
-        --under_way;
-        std::swap(lanes_[k], lanes_[under_way]);
+    draws_.advance(under_way);
+    for (std::size_t k = 0; k < under_way;) {
+      const Outcome outcome = step<greedy, with_places, far>(k, terms);
+      if (outcome != Outcome::goes_on) {
+        finish(lanes_[k], outcome == Outcome::arrived);
+        if (!ants.take(ant)) {
+          --under_way;
+          std::swap(lanes_[k], lanes_[under_way]);
+          draws_.move(under_way, k);
+          continue;  // with the lane that has come here
+        }
+        begin(k, ant);
       }
+      ++k;
     }
   }
 }
 
-void Walker::begin(Lane& lane, std::size_t ant) const {
+void Walker::begin(std::size_t k, std::size_t ant) {
+  Lane& lane = lanes_[k];
   if (++lane.mark == 0) {
     std::fill(lane.mark_bytes.begin(), lane.mark_bytes.end(), std::uint8_t{0});
     lane.mark = 1;
@@ -69,10 +79,10 @@ void Walker::begin(Lane& lane, std::size_t ant) const {
   lane.cell = lane.behind = lane.further = static_cast<std::uint32_t>(ground_.nest.start());
   lane.recent = {};
   lane.next = lane.directions.data();
-  lane.decisions = 0;
+  lane.left = 0;
   lane.pause = 0;
   lane.pops = 0;
-  lane.stream = stream_->fork(ant);
+  draws_.set(k, stream_->fork(ant));
   lane.ant = ant;
   lane.popped.clear();
   if (!lane.place.empty()) lane.place[lane.cell] = 1;
@@ -81,7 +91,7 @@ void Walker::begin(Lane& lane, std::size_t ant) const {
 void Walker::finish(Lane& lane, bool arrived) const {
   Walk& walk = (*walks_)[lane.ant];
   walk.arrived = arrived;
-  walk.decisions = lane.decisions;
+  walk.decisions = lane.decisions();
   walk.pops = lane.pops;
   walk.directions.clear();
   if (arrived || ground_.keep_the_dead) {
@@ -99,9 +109,11 @@ void Walker::finish(Lane& lane, bool arrived) const {
 }
 
 bool Walker::may_go_on(Lane& lane) const {
-  if (lane.decisions == limit_) return false;
-  if (lane.decisions > 0 && meter_->out_of_time()) return false;
-  lane.pause = std::min(limit_, lane.decisions + clock_interval);
+  const std::uint64_t decisions = lane.pause;
+  if (decisions == limit_) return false;
+  if (decisions > 0 && meter_->out_of_time()) return false;
+  lane.pause = std::min(limit_, decisions + clock_interval);
+  lane.left = lane.pause - decisions;
   return true;
 }
 
@@ -113,16 +125,17 @@ void Walker::fetch(const Lane& lane, const TrailRow* row, std::ptrdiff_t stride)
   __builtin_prefetch(marks + stride);
 }
 
-template <bool greedy, bool with_places>
-Walker::Outcome Walker::step(Lane& lane, const Terms& terms) const {
-  if (lane.decisions == lane.pause && !may_go_on(lane)) return Outcome::died;
-  ++lane.decisions;
+template <bool greedy, bool with_places, bool far>
+Walker::Outcome Walker::step(std::size_t k, const Terms& terms) {
+  Lane& lane = lanes_[k];
+  if (lane.left == 0 && !may_go_on(lane)) return Outcome::died;
+  --lane.left;
   const std::uint32_t cell = lane.cell;
   const ChoicePoint at{terms.rows + cell, lane.marks + cell,    terms.stride,
                        lane.mark,         lane.recent.closed(), terms.least_strength};
-  const std::uint64_t bits = lane.stream.bits();
+  const std::uint64_t bits = draws_.bits(k);
   const int direction = greedy ? choose(at, bits, terms.q0) : choose(at, bits);
-  if (direction == no_choice) return stuck(lane, bits);
+  if (direction == no_choice) return stuck(k);
   const std::uint32_t target =
       cell + static_cast<std::uint32_t>(terms.offsets[static_cast<std::size_t>(direction)]);
   lane.marks[lane.further] = lane.mark;
@@ -132,7 +145,7 @@ Walker::Outcome Walker::step(Lane& lane, const Terms& terms) const {
   lane.recent.add(direction);
   *lane.next++ = static_cast<std::uint8_t>(direction);
   if (with_places) lane.place[target] = static_cast<std::uint32_t>(lane.length() + 1);
-  fetch(lane, terms.rows + target, terms.stride);
+  if (far) fetch(lane, terms.rows + target, terms.stride);
   return target == terms.goal ? Outcome::arrived : Outcome::goes_on;
 }
 
@@ -160,11 +173,12 @@ unsigned Walker::unvisited(const Lane& lane) const {
 }
 
 // No step has a weight. Where steps are left whose weights have underflown, no preference is left among them.
-Walker::Outcome Walker::stuck(Lane& lane, std::uint64_t bits) const {
+Walker::Outcome Walker::stuck(std::size_t k) {
+  Lane& lane = lanes_[k];
   if (lane.behind != lane.cell) settle(lane);
   const unsigned fresh = ground_.trail.every_step_weighs() ? 0 : unvisited(lane);
   if (fresh != 0) {
-    move(lane, uniform_choice(fresh, lower_uniform(bits)));
+    move(lane, uniform_choice(fresh, lower_uniform(draws_.bits(k))));
     return lane.cell == ground_.nest.goal() ? Outcome::arrived : Outcome::goes_on;
   }
   switch (ground_.dead_end) {
@@ -172,7 +186,7 @@ Walker::Outcome Walker::stuck(Lane& lane, std::uint64_t bits) const {
     case DeadEnd::backtrack: return back_up(lane);
     case DeadEnd::revisit_with_loop_erasure: break;
   }
-  return revisit(lane);
+  return revisit(k);
 }
 
 Walker::Outcome Walker::back_up(Lane& lane) const {
@@ -188,14 +202,15 @@ Walker::Outcome Walker::back_up(Lane& lane) const {
 
 // A step onto any neighbour by eq. (1). Where the path has been there, the loop is cut off; else it goes on
 // from there.
-Walker::Outcome Walker::revisit(Lane& lane) const {
+Walker::Outcome Walker::revisit(std::size_t k) {
+  Lane& lane = lanes_[k];
   const unsigned open = ground_.nest.open(lane.cell);
   if (open == 0) return Outcome::died;
   scalar::Weights weights;
   for (int d = 0; d < direction_count; ++d) {
     weights[static_cast<std::size_t>(d)] = ground_.trail.weight(lane.cell, d);
   }
-  const std::uint64_t bits = lane.stream.bits();
+  const std::uint64_t bits = draws_.another(k);
   int direction = scalar::roulette(weights, upper_uniform(bits));
   if (direction == no_choice) direction = uniform_choice(open, lower_uniform(bits));
   const std::size_t target = ground_.nest.moves().step(lane.cell, direction);

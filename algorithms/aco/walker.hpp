@@ -2,19 +2,22 @@
 //
 // One step of one ant is a chain of dependent instructions: weights, sums, comparison, next cell, next
 // weights. A walker keeps a few ants on the way and lets each take a step in turn, so that one's waiting is
-// another's work. Each ant draws from its own stream, so who walks beside it changes nothing.
+// another's work; the draws of all of them are made at once. Each ant draws from its own stream, so who walks
+// beside it changes nothing.
 //
 // A lane is the memory of one ant under way: the directions of its path, and a byte per cell with the mark of
 // the last ant that stood there. Ants of a lane take the marks 1 to 255 in turn; only then are they wiped.
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "algorithms/aco/choice.hpp"
 #include "algorithms/aco/dead_end.hpp"
+#include "algorithms/aco/draws.hpp"
 #include "algorithms/aco/nest.hpp"
 #include "algorithms/aco/trail.hpp"
 #include "algorithms/aco/walk.hpp"
@@ -34,6 +37,22 @@ struct Ground {
   bool keep_popped = false;     ///< keep the steps that were taken back
 };
 
+/// Ants begin..end-1 of an iteration, each handed out once: to whichever walker, on whichever thread, has a
+/// free lane. So nobody runs out of ants while another has a heap of them.
+class AntQueue {
+ public:
+  AntQueue(std::size_t begin, std::size_t end) : next_(begin), end_(end) {}
+  /// False when all are handed out.
+  bool take(std::size_t& ant) {
+    ant = next_.fetch_add(1, std::memory_order_relaxed);
+    return ant < end_;
+  }
+
+ private:
+  std::atomic<std::size_t> next_;
+  std::size_t end_;
+};
+
 /// Runs ants one after another or side by side. Not for use by two threads at once.
 class Walker {
  public:
@@ -41,18 +60,22 @@ class Walker {
   /// first-level cache, a step is mostly waiting, and more ants are needed to fill the wait. Fewer again
   /// where their memory would run to gigabytes.
   static constexpr std::size_t lanes_for(std::size_t cells) {
-    return cells > 1U << 12 && cells < 1U << 21 ? 12 : 4;
+    return is_far(cells) && cells < 1U << 21 ? 12 : 4;
   }
 
+  /// 1 to Draws::capacity lanes.
   explicit Walker(const Ground& ground, std::size_t lanes);
 
   /// Ant i draws from stream.fork(i), one draw per decision (loop erasure draws twice when it is stuck), and
-  /// ends at the goal, dead, or after `step_limit` decisions. Writes walks[i] for i in begin..end-1.
-  void run(std::size_t begin, std::size_t end, const Stream& stream, std::uint64_t step_limit,
-           const Meter& meter, std::vector<Walk>& walks);
+  /// ends at the goal, dead, or after `step_limit` decisions. Writes walks[i] for each ant i that it took.
+  void run(AntQueue& ants, const Stream& stream, std::uint64_t step_limit, const Meter& meter,
+           std::vector<Walk>& walks);
 
  private:
   static constexpr std::uint64_t clock_interval = 1024;
+
+  // Whether what a step reads is worth asking for ahead of time.
+  static constexpr bool is_far(std::size_t cells) { return cells > 1U << 12; }
 
   struct alignas(64) Lane {
     std::uint32_t cell = 0;
@@ -62,9 +85,8 @@ class Walker {
     RecentSteps recent;
     std::uint8_t* marks = nullptr;  // of padded index 0
     std::uint8_t* next = nullptr;   // where the next direction of the path goes
-    std::uint64_t decisions = 0;
-    std::uint64_t pause = 0;  // decisions after which limits and clock are looked at
-    Stream stream{0};
+    std::uint64_t left = 0;         // decisions until limits and clock are looked at
+    std::uint64_t pause = 0;        // how many there have been by then
     std::size_t ant = 0;
     std::uint64_t pops = 0;
     std::vector<std::uint8_t> mark_bytes;  // framed, so that a row beyond the padded grid can be read
@@ -73,6 +95,7 @@ class Walker {
     std::vector<Step> popped;
 
     std::size_t length() const { return static_cast<std::size_t>(next - directions.data()); }
+    std::uint64_t decisions() const { return pause - left; }
   };
 
   // What does not change while lanes run: a copy on the stack, which no store can be suspected to alter.
@@ -89,11 +112,11 @@ class Walker {
 
   enum class Outcome { goes_on, arrived, died };
 
-  template <bool greedy, bool with_places>
-  void run_lanes(std::size_t next, std::size_t end);
-  template <bool greedy, bool with_places>
-  Outcome step(Lane& lane, const Terms& terms) const;
-  void begin(Lane& lane, std::size_t ant) const;
+  template <bool greedy, bool with_places, bool far>
+  void run_lanes(AntQueue& ants);
+  template <bool greedy, bool with_places, bool far>
+  Outcome step(std::size_t k, const Terms& terms);
+  void begin(std::size_t k, std::size_t ant);
   void finish(Lane& lane, bool arrived) const;
   /// Asks for what the lane's next step reads, while other lanes take theirs.
   static void fetch(const Lane& lane, const TrailRow* row, std::ptrdiff_t stride);
@@ -103,12 +126,13 @@ class Walker {
   void move(Lane& lane, int direction) const;
   /// Bit d is set when the step is open and leads to a cell the ant has not been on. The lane is settled.
   unsigned unvisited(const Lane& lane) const;
-  Outcome stuck(Lane& lane, std::uint64_t bits) const;
+  Outcome stuck(std::size_t k);
   Outcome back_up(Lane& lane) const;
-  Outcome revisit(Lane& lane) const;
+  Outcome revisit(std::size_t k);
 
   const Ground& ground_;
   std::vector<Lane> lanes_;
+  Draws draws_;  // a column per lane
   // of the current run
   const Stream* stream_ = nullptr;
   const Meter* meter_ = nullptr;

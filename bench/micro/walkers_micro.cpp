@@ -31,7 +31,8 @@ void walkers(benchmark::State& state) {
   std::uint64_t iteration = 0;
   std::uint64_t decisions = 0;
   for (auto _ : state) {
-    walker.run(0, walks.size(), Stream(1).fork(iteration++), ground.max_steps, meter, walks);
+    AntQueue ants(0, walks.size());
+    walker.run(ants, Stream(1).fork(iteration++), ground.max_steps, meter, walks);
     for (const Walk& walk : walks) decisions += walk.decisions;
   }
   state.SetItemsProcessed(static_cast<std::int64_t>(decisions));

@@ -33,7 +33,8 @@ struct Field {
                          std::uint64_t limit = no_limit, std::size_t lanes = 4) const {
     std::vector<Walk> walks(ants);
     const Ground shared = ground(dead_end);
-    Walker(shared, lanes).run(0, ants, Stream(seed), limit, Meter({}), walks);
+    AntQueue queue(0, ants);
+    Walker(shared, lanes).run(queue, Stream(seed), limit, Meter({}), walks);
     return walks;
   }
 
