@@ -1,20 +1,14 @@
 // Replanning: before each step the discs become a grid, a planner of static maps plans on it, and the robot
-// drives towards the farthest point of the path that it can see.
-//
-// Discs grow by the robot's radius and by `margin` cells: from 0.75 cells on, a path from cell to cell cannot
-// cut a disc. Where nothing is found, discs grow by the radius alone; where still nothing is found, the robot
-// waits, and steps aside when a disc comes near. The planner's evaluations and checks are the navigator's; a
-// disc looked at is one check more.
+// drives along its path (steer.hpp). The planner's evaluations and checks are the navigator's; a disc looked
+// at is one check more. Counted beside them: `planning_checks`, the planner's alone.
 #include "baselines/navigators/replan.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
-#include "baselines/navigators/disc_map.hpp"
-#include "baselines/navigators/room.hpp"
+#include "baselines/navigators/steer.hpp"
 
 namespace pathrace::baselines {
 namespace {
@@ -47,29 +41,20 @@ class Replan final : public Navigator {
   }
 
   Point next(const Snapshot& snapshot, Context& context) override {
-    for (const double margin : {settings_.margin, 0.0}) {
-      const std::optional<std::vector<Point>> way = plan(snapshot, margin, context);
-      if (!way) continue;
-      if (const std::optional<Point> step = step_along(*way, snapshot, context.meter)) return *step;
-    }
-    return step_aside(snapshot, context.meter);
+    return steer(snapshot, settings_.resolution, settings_.margin, context.meter,
+                 [&](const DiscMap& map, std::size_t) { return plan(map, snapshot, context); });
   }
 
  private:
-  std::optional<std::vector<Point>> plan(const Snapshot& snapshot, double margin, Context& context) const {
-    if (!afford(context.meter, snapshot.discs.size())) return std::nullopt;
-    const DiscMap map(snapshot, settings_.resolution, margin);
+  Answer plan(const DiscMap& map, const Snapshot& snapshot, Context& context) const {
     Meter meter(budget_left(context.meter));
     Context inner{context.stream, context.executor, meter};
-    const Answer answer =
+    Answer answer =
         planner_(map.terrain())->plan(map.cell_of(snapshot.robot), map.cell_of(snapshot.goal), inner);
     context.meter.spend_evaluations(meter.work().evaluations);
     context.meter.spend_checks(meter.work().checks);
-    if (!answer) return std::nullopt;
-    std::vector<Point> way;
-    for (const Point point : answer->points) way.push_back(map.place_of(point));
-    way.back() = snapshot.goal;
-    return way;
+    context.meter.count("planning_checks", meter.work().checks);
+    return answer;
   }
 
   Budget budget_left(const Meter& meter) const {
@@ -78,38 +63,6 @@ class Replan final : public Navigator {
         std::min(static_cast<std::uint64_t>(settings_.evaluations), meter.evaluations_left());
     if (meter.checks_left() != Meter::unlimited) budget.checks = meter.checks_left();
     return budget;
-  }
-
-  // The step towards the farthest point in sight; else the first step that is free at all.
-  static std::optional<Point> step_along(const std::vector<Point>& way, const Snapshot& snapshot,
-                                         Meter& meter) {
-    for (const bool whole : {true, false}) {
-      for (std::size_t left = way.size(); left > 0; --left) {
-        if (!afford(meter, snapshot.discs.size())) return std::nullopt;
-        const Point point = way[left - 1];
-        const Point step = kept_inside(snapshot, towards(snapshot.robot, point, snapshot.robot_step));
-        if (step != snapshot.robot && is_free_way(snapshot, whole ? point : step)) return step;
-      }
-    }
-    return std::nullopt;
-  }
-
-  // Where a disc is nearer than half a step: to the roomiest of nine places in reach, the present one
-  // included.
-  static Point step_aside(const Snapshot& snapshot, Meter& meter) {
-    Point best = snapshot.robot;
-    double most = room_at(snapshot, best);
-    if (!afford(meter, snapshot.discs.size() * 17) || most >= snapshot.robot_step / 2) return best;
-    for (const Point direction :
-         {Point{1, 0}, {0.6, 0.8}, {0, 1}, {-0.8, 0.6}, {-1, 0}, {-0.6, -0.8}, {0, -1}, {0.8, -0.6}}) {
-      const Point place = kept_inside(snapshot, {snapshot.robot.x + snapshot.robot_step * direction.x,
-                                                 snapshot.robot.y + snapshot.robot_step * direction.y});
-      const double room = room_at(snapshot, place);
-      if (room <= most || !is_free_way(snapshot, place)) continue;
-      most = room;
-      best = place;
-    }
-    return best;
   }
 
   ReplanSettings settings_;

@@ -33,7 +33,8 @@ std::vector<std::string> navigators_under_test() {
   for (const PlannerCard& card : bench::roster().cards()) {
     if (card.navigates()) calls.push_back(card.name);
   }
-  calls.insert(calls.end(), {"replan(as:ants=10):evaluations=20,resolution=4"});
+  calls.insert(calls.end(),
+               {"d-star-lite:ties=near_robot", "replan(as:ants=10):evaluations=20,resolution=4"});
   return calls;
 }
 
