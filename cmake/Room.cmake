@@ -12,7 +12,8 @@ function(pathrace_build_flags target)
   endif()
   if(PATHRACE_SANITIZE)
     target_compile_options(${target} PRIVATE
-      -fsanitize=${PATHRACE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+      -fsanitize=${PATHRACE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
+      $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)  # false ones, once sanitizers have been woven in
     target_link_options(${target} PRIVATE -fsanitize=${PATHRACE_SANITIZE})
   endif()
 endfunction()

@@ -81,7 +81,8 @@ class RecentSteps {
 };
 inline constexpr std::array<RecentSteps::Directions, 144> RecentSteps::table = RecentSteps::make_table();
 
-inline constexpr int no_choice = -1;
+/// A bit beyond those of the eight directions.
+inline constexpr int no_choice = 8;
 
 /// The k-th direction, from 0, whose bit is set, k = u * number of bits. mask is not 0.
 inline int uniform_choice(unsigned mask, float u) {
@@ -91,10 +92,13 @@ inline int uniform_choice(unsigned mask, float u) {
 }
 
 /// The direction that a roulette's masks decide: the first of those with a weight that lie above the point.
+/// no_choice when no direction has a weight; and no branch to tell, since nobody could predict it.
 inline int first_or_last(unsigned above, unsigned weighty) {
   const unsigned candidates = above & weighty;
-  if (candidates != 0) return std::countr_zero(candidates);
-  return static_cast<int>(std::bit_width(weighty)) - 1;
+  const unsigned lost_to_round_off = weighty & (candidates - 1) >> 8;  // all ones >> 8 when there are none
+  if (lost_to_round_off != 0) [[unlikely]]
+    return static_cast<int>(std::bit_width(weighty)) - 1;
+  return std::countr_zero(candidates | 1U << static_cast<unsigned>(no_choice));
 }
 
 namespace scalar {

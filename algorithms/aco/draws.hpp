@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 #include "core/stream.hpp"
 
@@ -21,15 +22,18 @@ class Draws {
   /// Column `to` goes on where column `from` stands, which is not to be used any more.
   void move(std::size_t from, std::size_t to) {
     put(to, taken(from));
-    quads_[to / width].bits[to % width] = bits(from);
+    bits_[to] = bits_[from];
   }
 
   /// The next draw of columns 0..count-1, and of those up to the next multiple of four, which then go astray.
   void advance(std::size_t count) {
-    for (std::size_t first = 0; first < count; first += width) quads_[first / width].advance();
+    for (std::size_t first = 0; first < count; first += width) {
+      const Four bits = quads_[first / width].advance();
+      std::memcpy(&bits_[first], &bits, sizeof bits);
+    }
   }
   /// What the last advance brought.
-  std::uint64_t bits(std::size_t k) const { return quads_[k / width].bits[k % width]; }
+  std::uint64_t bits(std::size_t k) const { return bits_[k]; }
 
   /// One more draw of column k alone.
   std::uint64_t another(std::size_t k) {
@@ -47,16 +51,15 @@ class Draws {
 
   struct Quad {
     std::array<Four, 4> state{};
-    Four bits{};
 
     // Stream::advance, four abreast.
-    void advance() {
+    Four advance() {
       Four& a = state[0];
       Four& b = state[1];
       Four& c = state[2];
       Four& d = state[3];
       const Four sum = a + d;
-      bits = (sum << 23U | sum >> 41U) + a;
+      const Four bits = (sum << 23U | sum >> 41U) + a;
       const Four shifted = b << 17U;
       c ^= a;
       d ^= b;
@@ -64,6 +67,7 @@ class Draws {
       a ^= d;
       c ^= shifted;
       d = d << 45U | d >> 19U;
+      return bits;
     }
   };
 
@@ -81,6 +85,7 @@ class Draws {
   }
 
   std::array<Quad, capacity / width> quads_{};
+  alignas(Four) std::array<std::uint64_t, capacity> bits_{};
 };
 
 }  // namespace pathrace::algorithms

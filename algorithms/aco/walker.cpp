@@ -22,7 +22,8 @@ Walker::Walker(const Ground& ground, std::size_t lanes) : ground_(ground), lanes
   for (Lane& lane : lanes_) {
     lane.mark_bytes.resize(ground.nest.size() + 2 * margin);
     lane.marks = lane.mark_bytes.data() + margin;
-    lane.directions.resize(ground.nest.free_cells() + 1);
+    lane.path_bytes.resize(ground.nest.free_cells() + 2);
+    lane.first = lane.path_bytes.data() + 1;
     if (ground.dead_end == DeadEnd::revisit_with_loop_erasure) lane.place.resize(ground.nest.size());
   }
 }
@@ -33,19 +34,21 @@ void Walker::run(AntQueue& ants, const Stream& stream, std::uint64_t step_limit,
   meter_ = &meter;
   walks_ = &walks;
   limit_ = std::min(step_limit, ground_.max_steps);
-  const bool with_places = ground_.dead_end == DeadEnd::revisit_with_loop_erasure;
-  const auto run = [&]<bool greedy, bool places>() {
-    is_far(ground_.nest.size()) ? run_lanes<greedy, places, true>(ants)
-                                : run_lanes<greedy, places, false>(ants);
+  const bool far = is_far(ground_.nest.size());
+  const auto run = [&]<bool greedy, bool with_places, bool backs_up>() {
+    far ? run_lanes<greedy, with_places, backs_up, true>(ants)
+        : run_lanes<greedy, with_places, backs_up, false>(ants);
   };
-  if (ground_.q0 > 0) {
-    with_places ? run.operator()<true, true>() : run.operator()<true, false>();
-  } else {
-    with_places ? run.operator()<false, true>() : run.operator()<false, false>();
-  }
+  const auto run_by_policy = [&]<bool greedy>() {
+    if (ground_.dead_end == DeadEnd::revisit_with_loop_erasure) return run.operator()<greedy, true, false>();
+    const bool plainly = ground_.trail.every_step_weighs() && !ground_.keep_popped;
+    if (ground_.dead_end == DeadEnd::backtrack && plainly) return run.operator()<greedy, false, true>();
+    run.operator()<greedy, false, false>();
+  };
+  ground_.q0 > 0 ? run_by_policy.operator()<true>() : run_by_policy.operator()<false>();
 }
 
-template <bool greedy, bool with_places, bool far>
+template <bool greedy, bool with_places, bool backs_up, bool far>
 void Walker::run_lanes(AntQueue& ants) {
   const Terms terms(ground_);
   std::size_t ant = 0;
@@ -54,7 +57,7 @@ void Walker::run_lanes(AntQueue& ants) {
   while (under_way > 0) {
     draws_.advance(under_way);
     for (std::size_t k = 0; k < under_way;) {
-      const Outcome outcome = step<greedy, with_places, far>(k, terms);
+      const Outcome outcome = step<greedy, with_places, backs_up, far>(k, terms);
       if (outcome != Outcome::goes_on) {
         finish(lanes_[k], outcome == Outcome::arrived);
         if (!ants.take(ant)) {
@@ -78,7 +81,7 @@ void Walker::begin(std::size_t k, std::size_t ant) {
   }
   lane.cell = lane.behind = lane.further = static_cast<std::uint32_t>(ground_.nest.start());
   lane.recent = {};
-  lane.next = lane.directions.data();
+  lane.next = lane.first;
   lane.left = 0;
   lane.pause = 0;
   lane.pops = 0;
@@ -95,14 +98,14 @@ void Walker::finish(Lane& lane, bool arrived) const {
   walk.pops = lane.pops;
   walk.directions.clear();
   if (arrived || ground_.keep_the_dead) {
-    walk.directions.assign(lane.directions.data(), lane.next);
+    walk.directions.assign(lane.first, lane.next);
   }
   walk.length = length_of(walk.directions);
   if (ground_.keep_popped) walk.popped = lane.popped;
   if (lane.place.empty()) return;
   std::size_t cell = ground_.nest.start();
   lane.place[cell] = 0;
-  for (const std::uint8_t* direction = lane.directions.data(); direction != lane.next; ++direction) {
+  for (const std::uint8_t* direction = lane.first; direction != lane.next; ++direction) {
     cell = ground_.nest.moves().step(cell, *direction);
     lane.place[cell] = 0;
   }
@@ -125,7 +128,7 @@ void Walker::fetch(const Lane& lane, const TrailRow* row, std::ptrdiff_t stride)
   __builtin_prefetch(marks + stride);
 }
 
-template <bool greedy, bool with_places, bool far>
+template <bool greedy, bool with_places, bool backs_up, bool far>
 Walker::Outcome Walker::step(std::size_t k, const Terms& terms) {
   Lane& lane = lanes_[k];
   if (lane.left == 0 && !may_go_on(lane)) return Outcome::died;
@@ -134,8 +137,11 @@ Walker::Outcome Walker::step(std::size_t k, const Terms& terms) {
   const ChoicePoint at{terms.rows + cell, lane.marks + cell,    terms.stride,
                        lane.mark,         lane.recent.closed(), terms.least_strength};
   const std::uint64_t bits = draws_.bits(k);
-  const int direction = greedy ? choose(at, bits, terms.q0) : choose(at, bits);
-  if (direction == no_choice) return stuck(k);
+  const int choice = greedy ? choose(at, bits, terms.q0) : choose(at, bits);
+  if (!backs_up && choice == no_choice) return stuck(k);
+  const int back = backs_up ? choice / no_choice : 0;
+  if (backs_up && lane.next - back < lane.first) return Outcome::died;  // all that can be reached is seen
+  const int direction = backs_up ? (choice & 7) | (opposite(lane.next[-1]) & -back) : choice;
   const std::uint32_t target =
       cell + static_cast<std::uint32_t>(terms.offsets[static_cast<std::size_t>(direction)]);
   lane.marks[lane.further] = lane.mark;
@@ -143,7 +149,9 @@ Walker::Outcome Walker::step(std::size_t k, const Terms& terms) {
   lane.behind = cell;
   lane.cell = target;
   lane.recent.add(direction);
-  *lane.next++ = static_cast<std::uint8_t>(direction);
+  *lane.next = static_cast<std::uint8_t>(direction);
+  lane.next += 1 - 2 * back;
+  if (backs_up) lane.pops += static_cast<std::uint64_t>(back);
   if (with_places) lane.place[target] = static_cast<std::uint32_t>(lane.length() + 1);
   if (far) fetch(lane, terms.rows + target, terms.stride);
   return target == terms.goal ? Outcome::arrived : Outcome::goes_on;

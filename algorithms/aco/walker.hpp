@@ -84,17 +84,18 @@ class Walker {
     std::uint8_t mark = 0;
     RecentSteps recent;
     std::uint8_t* marks = nullptr;  // of padded index 0
-    std::uint8_t* next = nullptr;   // where the next direction of the path goes
+    std::uint8_t* first = nullptr;  // direction of the path; the byte before it may be read
+    std::uint8_t* next = nullptr;   // where the next direction goes
     std::uint64_t left = 0;         // decisions until limits and clock are looked at
     std::uint64_t pause = 0;        // how many there have been by then
-    std::size_t ant = 0;
     std::uint64_t pops = 0;
+    std::size_t ant = 0;
     std::vector<std::uint8_t> mark_bytes;  // framed, so that a row beyond the padded grid can be read
-    std::vector<std::uint8_t> directions;  // of the path
+    std::vector<std::uint8_t> path_bytes;
     std::vector<std::uint32_t> place;  // path length at which a cell was entered, from 1; loop erasure only
     std::vector<Step> popped;
 
-    std::size_t length() const { return static_cast<std::size_t>(next - directions.data()); }
+    std::size_t length() const { return static_cast<std::size_t>(next - first); }
     std::uint64_t decisions() const { return pause - left; }
   };
 
@@ -112,9 +113,10 @@ class Walker {
 
   enum class Outcome { goes_on, arrived, died };
 
-  template <bool greedy, bool with_places, bool far>
+  // Backs up: a stuck ant steps back by the same instructions as one that goes on.
+  template <bool greedy, bool with_places, bool backs_up, bool far>
   void run_lanes(AntQueue& ants);
-  template <bool greedy, bool with_places, bool far>
+  template <bool greedy, bool with_places, bool backs_up, bool far>
   Outcome step(std::size_t k, const Terms& terms);
   void begin(std::size_t k, std::size_t ant);
   void finish(Lane& lane, bool arrived) const;
