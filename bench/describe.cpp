@@ -9,7 +9,7 @@
 
 #include "bench/executors.hpp"
 #include "bench/features/feature.hpp"
-#include "scenarios/library.hpp"
+#include "bench/reference.hpp"
 
 namespace pathrace::bench {
 namespace {
@@ -46,7 +46,9 @@ void drop_what_was_not_done(std::vector<results::ScenarioRow>& rows) {
 }  // namespace
 
 results::ScenarioRow describe(Scenario scenario, bool with_features) {
-  scenarios::prove(scenario);
+  const Referee referee(scenario.terrain);
+  prove_reference(scenario, Track::lattice, referee);
+  prove_reference(scenario, Track::any_angle, referee);
   results::ScenarioRow row = results::make_scenario_row(scenario);
   if (!with_features) return row;
   const std::vector<std::optional<double>> values = compute_features(scenario);

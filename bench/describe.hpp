@@ -12,7 +12,7 @@
 
 namespace pathrace::bench {
 
-/// The scenario's row, its optimum proven by the way; with the value of every feature when `with_features`.
+/// The scenario's row, its optima proven by the way; with the value of every feature when `with_features`.
 results::ScenarioRow describe(Scenario scenario, bool with_features);
 
 /// Stores what the store does not yet know about the scenarios of the plan, `options.jobs` side by side, a

@@ -2,28 +2,33 @@
 
 #include <memory>
 #include <mutex>
+#include <set>
 #include <utility>
 
 #include "bench/executors.hpp"
+#include "bench/reference.hpp"
 #include "bench/trial.hpp"
 #include "core/referee.hpp"
-#include "scenarios/library.hpp"
 
 namespace pathrace::bench {
 namespace {
 
-// What all trials on a scenario share: its proven optimum and its referee. Made by the first trial that needs
-// them, dropped after the last, so that a large campaign does not hold every map's distance transform.
+// What all trials on a scenario share: the references of their tracks and its referee. Made by the first
+// trial that needs them, dropped after the last, so that a large campaign does not hold every map's distance
+// transform.
 class ScenarioDesk {
  public:
-  void expect_one() { ++pending_; }
+  void expect_one(Track track) {
+    ++pending_;
+    tracks_.insert(track);
+  }
 
   std::pair<const Scenario*, const Referee*> open(const Scenario& scenario) {
     const std::lock_guard lock(mutex_);
     if (!referee_) {
       scenario_ = scenario;
-      scenarios::prove(scenario_);
       referee_ = std::make_unique<Referee>(scenario_.terrain);
+      for (const Track track : tracks_) prove_reference(scenario_, track, *referee_);
     }
     return {&scenario_, referee_.get()};
   }
@@ -38,6 +43,7 @@ class ScenarioDesk {
  private:
   std::mutex mutex_;
   std::size_t pending_ = 0;
+  std::set<Track> tracks_;
   Scenario scenario_;
   std::unique_ptr<Referee> referee_;
 };
@@ -76,7 +82,10 @@ class ExecutorShelf {
 void run_trials(const TrialPlan& plan, const std::vector<std::size_t>& trials, const RunOptions& options,
                 const std::atomic<bool>& stop, const Sink& sink) {
   std::vector<ScenarioDesk> desks(plan.scenarios.size());
-  for (const std::size_t index : trials) desks[plan.trials[index].scenario].expect_one();
+  for (const std::size_t index : trials) {
+    const Trial& trial = plan.trials[index];
+    desks[trial.scenario].expect_one(plan.entrants[trial.entrant].card->track);
+  }
   ExecutorShelf shelf(options.backend, options.threads);
   const std::unique_ptr<Executor> across = make_executor(options.backend, options.jobs);
   const bool crowded = across->threads() > 1 && trials.size() > 1;

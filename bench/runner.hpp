@@ -17,7 +17,8 @@ struct RunOptions {
   int threads = 1;  ///< for each planner
 };
 
-/// Called from several threads at once, in any order; `scenario` has its proven optimum.
+/// Called from several threads at once, in any order; `scenario` has what its trials' gaps
+/// count from.
 using Sink = std::function<void(const Trial&, const Scenario& scenario, TrialRecord)>;
 
 /// Runs the trials with these indices. Stops dealing new ones when `stop` becomes true. Everything in a

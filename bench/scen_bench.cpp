@@ -9,7 +9,9 @@
 #include <numeric>
 
 #include "bench/executors.hpp"
+#include "bench/reference.hpp"
 #include "core/error.hpp"
+#include "core/gap.hpp"
 #include "core/record.hpp"
 #include "core/referee.hpp"
 #include "results/median.hpp"
@@ -93,7 +95,7 @@ class ScenBench {
     return answer;
   }
 
-  void judge(const scenarios::ScenQuery& query, const Scenario& scenario, const Bound& bound,
+  void judge(const scenarios::ScenQuery& query, Scenario& scenario, const Bound& bound,
              const Answer& answer) {
     const auto mismatch = [&](const std::string& why) {
       ++report_.mismatched;
@@ -104,6 +106,11 @@ class ScenBench {
     if (!judgement.legal()) return mismatch("illegal path: " + judgement.fault);
     const double length = judgement.metrics->length;
     const bool any_angle = answer->track == Track::any_angle;
+    if (any_angle) {
+      prove_reference(scenario, Track::any_angle, bound.referee);
+      const std::string fault = contradiction(*judgement.metrics, scenario, Track::any_angle);
+      if (!fault.empty()) return mismatch(fault);
+    }
     if (scenarios::optimum_matches(query, length) || (any_angle && length < query.optimum)) {
       ++report_.matched;
     } else if (length < query.optimum) {

@@ -7,6 +7,7 @@
 #include "bench/dynamic_trial.hpp"
 #include "bench/guarded.hpp"
 #include "core/error.hpp"
+#include "core/gap.hpp"
 
 namespace pathrace::bench {
 namespace {
@@ -49,11 +50,12 @@ void judge(const Entrant& entrant, const Scenario& scenario, const Referee& refe
     return;
   }
   Judgement judgement = referee.judge(*record.answer, scenario.start, scenario.goal);
-  if (judgement.legal()) {
+  record.note = judgement.legal() ? contradiction(*judgement.metrics, scenario, record.answer->track)
+                                  : std::move(judgement.fault);
+  if (record.note.empty()) {
     record.metrics = judgement.metrics;
   } else {
     record.verdict = Verdict::invalid;
-    record.note = std::move(judgement.fault);
   }
 }
 

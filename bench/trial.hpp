@@ -11,7 +11,8 @@ namespace pathrace::bench {
 
 /// Nothing a planner does comes out as an exception: it becomes the record's verdict. `key` and the costs
 /// that describe the executor are the caller's to fill in. `overlay`: for a picture of what the planner
-/// thinks.
+/// thinks. A legal path that beats what is proven about the scenario is `invalid`: somebody errs, and nobody
+/// shall win by it.
 TrialRecord run_trial(const Entrant& entrant, const Scenario& scenario, const Referee& referee,
                       const Budget& budget, const Stream& stream, Executor& executor,
                       Overlay* overlay = nullptr);

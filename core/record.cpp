@@ -57,13 +57,4 @@ std::uint64_t campaign_digest(std::vector<KeyedDigest> rows) {
   return hasher.value();
 }
 
-std::optional<double> gap(const PathMetrics& metrics, const Optimum& optimum) {
-  if (!optimum.length) return std::nullopt;
-  if (metrics.lattice == optimum.length) return 0.0;
-  const double best = optimum.length->value();
-  if (metrics.length == best) return 0.0;
-  if (best == 0) return std::nullopt;
-  return metrics.length / best - 1;
-}
-
 }  // namespace pathrace

@@ -98,7 +98,4 @@ struct KeyedDigest {
 /// Hash of the (key, digest) pairs sorted by key; timed rows are left out.
 std::uint64_t campaign_digest(std::vector<KeyedDigest> rows);
 
-/// length / optimum - 1: exactly 0 at the optimum; nothing where there is no reference.
-std::optional<double> gap(const PathMetrics& metrics, const Optimum& optimum);
-
 }  // namespace pathrace

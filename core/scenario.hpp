@@ -26,12 +26,19 @@ struct Optimum {
   std::optional<LatticeLength> length;  ///< empty and proven: there is no way
 };
 
+/// The same among all any-angle paths, whose rule (core/referee.hpp) asks for no move rule.
+struct AnyAngleOptimum {
+  bool proven = false;
+  std::optional<double> length;  ///< in cell edges; empty and proven: there is no way
+};
+
 struct Scenario {
   std::string id;  ///< `family/params/seed`, `asr/fig5`, `movingai/<scen>/<k>`
   Terrain terrain;
   Cell start;
   Cell goal;
   Optimum optimum;
+  AnyAngleOptimum any_angle_optimum;
   /// A dynamic world, or none. Where there is one it is the question, and what stands above is a still
   /// picture of its beginning, for tables and maps: a cell is blocked where its centre lies in a disc.
   std::shared_ptr<const World> world;

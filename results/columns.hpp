@@ -103,7 +103,7 @@ class Columns {
   }
 
   [[noreturn]] static void fail(const SQLite::Column& column, std::string_view expected) {
-    const std::string found = column.isNull() ? "nothing" : quoted(column.getString());
+    const std::string found = column.isNull() ? "nothing" : results::quoted(column.getString());
     throw InputError(fmt::format("column '{}': expected {}, got {}", column.getName(), expected, found));
   }
 

@@ -1,6 +1,7 @@
 // The leaderboard: one standing per planner and track, over all trials or within each scenario family.
 //
-// A failed trial counts as an infinitely long path where the scenario's optimum is known, so a planner
+// Gaps count from the proven optimum of the planner's own track: on the lattice, or at any angle.
+// A failed trial counts as an infinitely long path where that optimum is known, so a planner
 // cannot improve its gap by giving up on hard scenarios; `gap_solved` stands beside it. Ranked by success,
 // then gap, then gap of the solved trials; standings equal in all three share a rank (1, 1, 3).
 //

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/gap.hpp"
 #include "results/polyline.hpp"
 #include "results/world_picture.hpp"
 
@@ -20,8 +21,8 @@ double scale_of(int longest) {
 
 std::string caption_of(const Scenario& scenario, const Answer& answer) {
   std::string caption = answer ? fmt::format("length {:.2f}", polyline_length(answer->points)) : "no path";
-  if (scenario.optimum.length)
-    caption += fmt::format("  \u00b7  optimum {:.2f}", scenario.optimum.length->value());
+  const auto optimum = reference_length(scenario, answer ? answer->track : Track::lattice);
+  if (optimum) caption += fmt::format("  \u00b7  optimum {:.2f}", *optimum);
   const OccupancyGrid& grid = scenario.grid();
   return caption + fmt::format("  \u00b7  {} \u00d7 {} cells  \u00b7  rule {}", grid.width(), grid.height(),
                                name(scenario.terrain.rule));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "core/gap.hpp"
 #include "results/number_text.hpp"
 #include "results/quote.hpp"
 #include "results/split.hpp"
@@ -10,9 +11,9 @@
 namespace pathrace::results {
 namespace {
 
-void copy_metrics(const PathMetrics& metrics, const Optimum& optimum, TrialRow& row) {
+void copy_metrics(const PathMetrics& metrics, const Scenario& scenario, TrialRow& row) {
   row.length = metrics.length;
-  row.gap = gap(metrics, optimum);
+  row.gap = gap(metrics, scenario, row.track);
   row.turns = metrics.turns;
   row.turn_angle = metrics.turn_angle;
   row.clearance_min = metrics.clearance_min;
@@ -58,10 +59,8 @@ TrialRow make_row(const TrialKey& key, const Scenario& scenario, const Entrant& 
   row.note = record.note;
   row.track = entrant.card->track;
   row.rule = scenario.terrain.rule;
-  if (scenario.optimum.length) row.optimum = scenario.optimum.length->value();
-  if (record.verdict == Verdict::solved && record.metrics) {
-    copy_metrics(*record.metrics, scenario.optimum, row);
-  }
+  row.optimum = reference_length(scenario, row.track);
+  if (record.verdict == Verdict::solved && record.metrics) copy_metrics(*record.metrics, scenario, row);
   if (scenario.world) copy_run(record, *scenario.world, row);
   row.work = record.work;
   row.digest = digest(record);

@@ -28,7 +28,7 @@ struct TrialRow {
   MoveRule rule = MoveRule::strict;
   std::optional<double>
       length;  ///< cells; of solved trials, like the other metrics; way travelled in a world
-  std::optional<double> optimum;  ///< cells; empty where none is proven or there is no way
+  std::optional<double> optimum;  ///< cells, of the track; empty where none is proven or there is no way
   std::optional<double> gap;      ///< length / optimum - 1; in a dynamic world, steps / least_steps - 1
   std::optional<int> turns;
   std::optional<double> turn_angle;          ///< radians

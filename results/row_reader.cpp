@@ -106,6 +106,7 @@ void read_scenario(SQLite::Statement& statement, ScenarioRow& row) {
   row.id = columns.text();
   row.rule = columns.named<MoveRule>();
   row.optimum = columns.optional_real();
+  row.any_angle_optimum = columns.optional_real();
   row.width = columns.integer();
   row.height = columns.integer();
   row.start.x = columns.integer();

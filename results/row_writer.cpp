@@ -10,7 +10,6 @@
 #include "core/hash.hpp"
 #include "results/binder.hpp"
 #include "results/counters_text.hpp"
-#include "results/number_text.hpp"
 #include "results/trace_text.hpp"
 
 namespace pathrace::results {
@@ -46,18 +45,18 @@ std::int64_t Interner::number(const std::string& identity, const Bind& bind) {
 }
 
 ScenarioNumbers::ScenarioNumbers(SQLite::Database& database)
-    : interner_(database, "SELECT number FROM scenario WHERE id = ? AND rule = ? AND optimum IS ?",
-                "INSERT INTO scenario (id, rule, optimum) VALUES (?, ?, ?)") {}
+    : interner_(database, "SELECT number FROM scenario WHERE id = ? AND rule = ?",
+                "INSERT INTO scenario (id, rule) VALUES (?, ?)") {}
 
-std::int64_t ScenarioNumbers::number(const std::string& id, MoveRule rule, std::optional<double> optimum) {
-  return interner_.number(
-      identity_text({id, name(rule), optimum ? print_number(*optimum) : ""}),
-      [&](SQLite::Statement& statement) { Binder(statement).text(id).name(name(rule)).real(optimum); });
+std::int64_t ScenarioNumbers::number(const std::string& id, MoveRule rule) {
+  return interner_.number(identity_text({id, name(rule)}),
+                          [&](SQLite::Statement& statement) { Binder(statement).text(id).name(name(rule)); });
 }
 
 RowWriter::RowWriter(SQLite::Database& database)
     : database_(database),
       scenarios_(database),
+      references_(database),
       planners_(database,
                 "SELECT number FROM planner WHERE label = ? AND call = ? AND version = ? AND track = ? "
                 "AND budget = ?",
@@ -81,6 +80,7 @@ void RowWriter::write(const TrialRow& row) {
 
 void RowWriter::forget() {
   scenarios_.forget();
+  references_.forget();
   planners_.forget();
 }
 
@@ -116,9 +116,11 @@ void bind_run(Binder& binder, const std::optional<RunMetrics>& run) {
 }  // namespace
 
 void RowWriter::write_trial(const TrialRow& row) {
+  const std::int64_t scenario = scenarios_.number(row.scenario, row.rule);
+  references_.put(scenario, row.scenario, row.track, row.optimum);
   Binder binder(insert_trial_);
   binder.name(hex(row.key))
-      .integer(scenarios_.number(row.scenario, row.rule, row.optimum))
+      .integer(scenario)
       .integer(planner_number(row))
       .count(row.repetition)
       .count(row.seed)

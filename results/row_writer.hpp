@@ -6,10 +6,10 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <string>
 #include <unordered_map>
 
+#include "results/references.hpp"
 #include "results/row.hpp"
 
 namespace pathrace::results {
@@ -38,7 +38,7 @@ class ScenarioNumbers {
  public:
   explicit ScenarioNumbers(SQLite::Database& database);
 
-  std::int64_t number(const std::string& id, MoveRule rule, std::optional<double> optimum);
+  std::int64_t number(const std::string& id, MoveRule rule);
   void forget() { interner_.forget(); }
 
  private:
@@ -49,7 +49,8 @@ class RowWriter {
  public:
   explicit RowWriter(SQLite::Database& database);
 
-  /// Inserts one row; the caller opens and commits the transaction. Throws SQLite::Exception.
+  /// Inserts one row; the caller opens and commits the transaction. Throws SQLite::Exception,
+  /// InputError as References::put does.
   void write(const TrialRow& row);
   /// To be called when the transaction was rolled back.
   void forget();
@@ -61,6 +62,7 @@ class RowWriter {
 
   SQLite::Database& database_;
   ScenarioNumbers scenarios_;
+  References references_;
   Interner planners_;
   SQLite::Statement insert_trial_;
   SQLite::Statement insert_answer_;

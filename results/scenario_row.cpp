@@ -1,5 +1,7 @@
 #include "results/scenario_row.hpp"
 
+#include "core/gap.hpp"
+
 namespace pathrace::results {
 
 ScenarioRow make_scenario_row(const Scenario& scenario) {
@@ -10,7 +12,8 @@ ScenarioRow make_scenario_row(const Scenario& scenario) {
   row.rule = scenario.terrain.rule;
   row.start = scenario.start;
   row.goal = scenario.goal;
-  if (scenario.optimum.length) row.optimum = scenario.optimum.length->value();
+  row.optimum = reference_length(scenario, Track::lattice);
+  row.any_angle_optimum = reference_length(scenario, Track::any_angle);
   row.hash = content_hash(scenario);
   return row;
 }

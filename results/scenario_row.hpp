@@ -25,8 +25,9 @@ struct ScenarioRow {
   MoveRule rule = MoveRule::strict;
   Cell start;
   Cell goal;
-  std::optional<double> optimum;  ///< cells; empty where none is proven or there is no way
-  std::uint64_t hash = 0;         ///< of the question, whatever it is called
+  std::optional<double> optimum;            ///< cells; empty where none is proven or there is no way
+  std::optional<double> any_angle_optimum;  ///< the same among any-angle paths
+  std::uint64_t hash = 0;                   ///< of the question, whatever it is called
   std::vector<FeatureValue> features;
 
   std::string_view family() const { return std::string_view(id).substr(0, id.find('/')); }

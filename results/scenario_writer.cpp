@@ -7,6 +7,7 @@ namespace pathrace::results {
 
 ScenarioWriter::ScenarioWriter(SQLite::Database& database)
     : numbers_(database),
+      references_(database),
       put_question_(
           database,
           "INSERT OR REPLACE INTO question (scenario, width, height, start_x, start_y, goal_x, goal_y, hash) "
@@ -16,7 +17,9 @@ ScenarioWriter::ScenarioWriter(SQLite::Database& database)
                    "ON CONFLICT (scenario, name) DO UPDATE SET value = excluded.value") {}
 
 void ScenarioWriter::write(const ScenarioRow& row) {
-  const std::int64_t number = numbers_.number(row.id, row.rule, row.optimum);
+  const std::int64_t number = numbers_.number(row.id, row.rule);
+  references_.put(number, row.id, Track::lattice, row.optimum);
+  references_.put(number, row.id, Track::any_angle, row.any_angle_optimum);
   Binder(put_question_)
       .integer(number)
       .integer(std::int64_t{row.width})

@@ -22,8 +22,18 @@ std::string feature_text(const ScenarioRow& row, const std::string& name) {
 }  // namespace
 
 void write_scenarios_header(std::ostream& out, const std::vector<std::string>& features) {
-  std::vector<std::string> fields = {"id",      "family", "width",  "height",  "rule", "start_x",
-                                     "start_y", "goal_x", "goal_y", "optimum", "hash"};
+  std::vector<std::string> fields = {"id",
+                                     "family",
+                                     "width",
+                                     "height",
+                                     "rule",
+                                     "start_x",
+                                     "start_y",
+                                     "goal_x",
+                                     "goal_y",
+                                     "optimum",
+                                     "any_angle_optimum",
+                                     "hash"};
   fields.insert(fields.end(), features.begin(), features.end());
   write_csv_line(out, fields);
 }
@@ -40,6 +50,7 @@ void write_scenario_line(std::ostream& out, const ScenarioRow& row,
                                      std::to_string(row.goal.x),
                                      std::to_string(row.goal.y),
                                      print(row.optimum),
+                                     print(row.any_angle_optimum),
                                      hex(row.hash)};
   for (const std::string& feature : features) fields.push_back(feature_text(row, feature));
   write_csv_line(out, fields);

@@ -10,7 +10,8 @@
 
 namespace pathrace::results {
 
-/// id,family,width,height,rule,start_x,start_y,goal_x,goal_y,optimum,hash and these features.
+/// id,family,width,height,rule,start_x,start_y,goal_x,goal_y,optimum,any_angle_optimum,hash and these
+/// features.
 void write_scenarios_header(std::ostream& out, const std::vector<std::string>& features);
 /// A missing value is an empty field.
 void write_scenario_line(std::ostream& out, const ScenarioRow& row, const std::vector<std::string>& features);

@@ -7,8 +7,11 @@ namespace {
 
 constexpr const char* tables = R"(
 CREATE TABLE meta (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
-CREATE TABLE scenario (number INTEGER PRIMARY KEY, id TEXT NOT NULL, rule TEXT NOT NULL, optimum);
+CREATE TABLE scenario (number INTEGER PRIMARY KEY, id TEXT NOT NULL, rule TEXT NOT NULL);
 CREATE INDEX scenario_by_id ON scenario (id);
+CREATE TABLE reference (
+  scenario INTEGER NOT NULL REFERENCES scenario (number), track TEXT NOT NULL, length,
+  PRIMARY KEY (scenario, track)) WITHOUT ROWID;
 CREATE TABLE question (
   scenario INTEGER PRIMARY KEY REFERENCES scenario (number), width INTEGER NOT NULL, height INTEGER NOT NULL,
   start_x INTEGER NOT NULL, start_y INTEGER NOT NULL, goal_x INTEGER NOT NULL, goal_y INTEGER NOT NULL,
@@ -40,7 +43,7 @@ CREATE TABLE answer (
 
 constexpr const char* slim_columns =
     "t.key AS key, s.id AS scenario, p.label AS planner, t.repetition AS repetition, t.seed AS seed, "
-    "t.verdict AS verdict, p.track AS track, t.length AS length, s.optimum AS optimum, t.gap AS gap, "
+    "t.verdict AS verdict, p.track AS track, t.length AS length, r.length AS optimum, t.gap AS gap, "
     "t.turns AS turns, t.evaluations AS evaluations, t.iterations AS iterations, t.checks AS checks, "
     "t.digest AS digest, t.wall_s AS wall_s, s.rule AS rule, p.call AS call, p.version AS version, "
     "p.budget AS budget, t.note AS note, t.turn_angle AS turn_angle, t.clearance_min AS clearance_min, "
@@ -53,7 +56,7 @@ constexpr const char* slim_columns =
 // Left joins: a trial whose scenario, planner or answer is gone shows up with nulls and is reported.
 constexpr const char* joined =
     "trial AS t LEFT JOIN scenario AS s ON s.number = t.scenario LEFT JOIN planner AS p ON p.number = "
-    "t.planner";
+    "t.planner LEFT JOIN reference AS r ON r.scenario = t.scenario AND r.track = p.track";
 
 }  // namespace
 
@@ -80,10 +83,13 @@ std::string select_digests() {
 }
 
 std::string select_scenarios() {
-  return "SELECT s.id AS id, s.rule AS rule, s.optimum AS optimum, q.width AS width, q.height AS height, "
+  return "SELECT s.id AS id, s.rule AS rule, l.length AS optimum, a.length AS any_angle_optimum, q.width AS "
+         "width, q.height AS height, "
          "q.start_x AS start_x, q.start_y AS start_y, q.goal_x AS goal_x, q.goal_y AS goal_y, "
          "q.hash AS hash, f.name AS name, f.value AS value "
          "FROM question AS q LEFT JOIN scenario AS s ON s.number = q.scenario "
+         "LEFT JOIN reference AS l ON l.scenario = q.scenario AND l.track = 'lattice' "
+         "LEFT JOIN reference AS a ON a.scenario = q.scenario AND a.track = 'any_angle' "
          "LEFT JOIN feature AS f ON f.scenario = q.scenario ORDER BY q.scenario, f.rowid";
 }
 

@@ -1,11 +1,12 @@
-// The tables of a store, schema version 4.
+// The tables of a store, schema version 5.
 //
 // meta      name and value: campaign, toml, hash, seed, trials
 // scenario  what trials share about their question
-// question  what the map and the query of a scenario are; written when a run begins
-// feature   name and value of a scenario's features, in long form: a new feature needs no new column
-// planner   what trials share about their player, its budget included
-// trial     one slim row per trial; `number` counts in order of insertion; `steps` to `world_hash` are null
+// reference what gaps count from, in cell edges, per scenario and track; null where there is proven to be
+// none question  what the map and the query of a scenario are; written when a run begins feature   name and
+// value of a scenario's features, in long form: a new feature needs no new column planner   what trials share
+// about their player, its budget included trial     one slim row per trial; `number` counts in order of
+// insertion; `steps` to `world_hash` are null
 //           but for runs through dynamic worlds
 // answer    the path, the anytime trace and the counters of a trial, as text
 // trials    a view that joins scenario, planner and trial into the columns of trials.csv
@@ -22,7 +23,7 @@
 namespace pathrace::results {
 
 inline constexpr std::int32_t application_id = 0x70617468;  // "path", in the file's header
-inline constexpr int schema_version = 4;
+inline constexpr int schema_version = 5;
 
 /// All statements that make an empty store, its numbers in the header included.
 std::string schema();

@@ -74,7 +74,7 @@ class Store::Impl {
   std::optional<RowWriter> writer;
   std::optional<ScenarioWriter> describer;
 
-  // A transaction of the one writer; `body` throws SQLite::Exception, and all is as before.
+  // A transaction of the one writer; `body` throws SQLite::Exception or InputError, and all is as before.
   template <typename Body>
   void transact(const Body& body) {
     if (!writer) throw std::logic_error("append to a store that was opened to be read");
@@ -85,6 +85,9 @@ class Store::Impl {
     } catch (const SQLite::Exception& error) {
       forget();
       throw_writing_error(file, error);
+    } catch (const InputError& error) {
+      forget();
+      throw InputError(fmt::format("{}: {}", file.string(), error.what()));
     } catch (...) {
       forget();
       throw;

@@ -53,12 +53,13 @@ class Store {
   const std::filesystem::path& file() const;
   const StoreIdentity& identity() const;
 
-  /// All rows or none. Throws std::logic_error when a key is already there, EnvironmentError when the disk
-  /// is full or the file cannot be written.
+  /// All rows or none. Throws std::logic_error when a key is already there, InputError when a row's optimum
+  /// is not the one that is stored for its scenario and track, EnvironmentError when the disk is full or the
+  /// file cannot be written.
   void append(const std::vector<TrialRow>& rows);
 
   /// Stores scenarios and their features, all or none, over what is there already; a feature that a row does
-  /// not name is kept. Throws EnvironmentError as append does.
+  /// not name is kept. Throws InputError and EnvironmentError as append does.
   void describe(const std::vector<ScenarioRow>& rows);
 
   /// Trials.

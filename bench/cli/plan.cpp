@@ -9,6 +9,7 @@
 #include "bench/cli/options.hpp"
 #include "bench/dynamic_trial.hpp"
 #include "bench/executors.hpp"
+#include "bench/reference.hpp"
 #include "bench/roster.hpp"
 #include "bench/run_folder.hpp"
 #include "bench/trial.hpp"
@@ -179,7 +180,8 @@ void write_frames(const PlanCommand& command, const Scenario& scenario, const re
   }
 }
 
-TrialRecord run_once(const PlanCommand& command, const Entrant& entrant, const Scenario& scenario,
+// Proves what the gap counts from, too.
+TrialRecord run_once(const PlanCommand& command, const Entrant& entrant, Scenario& scenario,
                      const Budget& budget, const Stream& stream, std::vector<Overlay>& overlays) {
   const std::unique_ptr<Executor> executor = make_executor(command.options.backend, command.options.threads);
   if (scenario.world) {
@@ -190,13 +192,15 @@ TrialRecord run_once(const PlanCommand& command, const Entrant& entrant, const S
     return run_dynamic_trial(entrant, *scenario.world, budget, stream, *executor, watch);
   }
   overlays.emplace_back();
-  return run_trial(entrant, scenario, Referee(scenario.terrain), budget, stream, *executor, &overlays.back());
+  const Referee referee(scenario.terrain);
+  prove_reference(scenario, entrant.card->track, referee);
+  return run_trial(entrant, scenario, referee, budget, stream, *executor, &overlays.back());
 }
 
 int plan_command(const PlanCommand& command) {
   require_backend(command.options);
   const Entrant entrant = roster().enter(parse_call(command.planner));
-  const Scenario scenario = chosen_scenario(command);
+  Scenario scenario = chosen_scenario(command);
   if (!command.frames.empty() && !scenario.world) {
     throw InputError(
         fmt::format("--frames: expected a dynamic scenario such as discs/open/1, got '{}'", scenario.id));

@@ -1,6 +1,7 @@
 // The genetic algorithm of the AS-R robot: the paper's maps, its budget, and what the extensions promise.
 #include <gtest/gtest.h>
 
+#include "core/gap.hpp"
 #include "scenarios/library.hpp"
 #include "tests/support/oracle.hpp"
 #include "tests/support/trials.hpp"

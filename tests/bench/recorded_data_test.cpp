@@ -46,5 +46,10 @@ TEST(RecordedAnyAngle, TheProvenOptimumIsNeverLongerThanARecordedOne) {
   EXPECT_EQ(matched_by("any-angle-optimum", 5), 31U * 5);
 }
 
+TEST(RecordedAnyAngle, ThetaStarLiesBetweenTheProvenOptimumAndTheRecordedOne) {
+  if (!testing::data_folder()) GTEST_SKIP() << testing::without_data;
+  EXPECT_EQ(matched_by("theta-star", 5), 31U * 5);
+}
+
 }  // namespace
 }  // namespace pathrace::bench

@@ -15,13 +15,19 @@ namespace {
 using testing::grid_of;
 using testing::scenario_of;
 
-TrialRecord trial_of(PlanFunction plan, Budget budget = {}, bool deterministic = true) {
+const Scenario& open_square() {
+  static const Scenario scenario = scenario_of({grid_of({"..", ".."}), {0, 0}, {1, 1}});
+  return scenario;
+}
+
+TrialRecord trial_of(PlanFunction plan, Budget budget = {}, bool deterministic = true,
+                     const Scenario& scenario = open_square(), Track track = Track::lattice) {
   PlannerCard card;
   card.name = "test";
+  card.track = track;
   card.deterministic = deterministic;
   card = without_parameters(std::move(card), unprepared(std::move(plan)));
   const Entrant entrant{&card, {}, "test"};
-  const Scenario scenario = scenario_of({grid_of({"..", ".."}), {0, 0}, {1, 1}});
   const auto executor = make_executor("serial", 1);
   return run_trial(entrant, scenario, Referee(scenario.terrain), budget, Stream(1), *executor);
 }
@@ -50,6 +56,25 @@ TEST(Trial, APathOnAnotherTrackIsInvalid) {
     return Path{Track::any_angle, {{0, 0}, {1, 1}}};
   });
   EXPECT_EQ(record.verdict, Verdict::invalid);
+}
+
+TEST(Trial, ALegalPathThatBeatsTheProofIsInvalidAndSaysBoth) {
+  Scenario scenario = open_square();
+  scenario.optimum = {true, LatticeLength{2, 0}};  // a wrong proof: the diagonal is legal and shorter
+  scenario.any_angle_optimum = {true, 2};
+  const TrialRecord on_cells = trial_of(right_answer, {}, true, scenario);
+  EXPECT_EQ(on_cells.verdict, Verdict::invalid);
+  EXPECT_EQ(on_cells.note, "a legal path of 1.4142135623730951 is shorter than the proven optimum 2");
+  EXPECT_FALSE(on_cells.metrics.has_value());
+  const auto straight = [](const Problem&, Context&) -> Answer {
+    return Path{Track::any_angle, {{0, 0}, {1, 1}}};
+  };
+  const TrialRecord at_any_angle = trial_of(straight, {}, true, scenario, Track::any_angle);
+  EXPECT_EQ(at_any_angle.verdict, Verdict::invalid);
+  EXPECT_EQ(at_any_angle.note, on_cells.note);
+
+  scenario.optimum.length = LatticeLength{0, 1};
+  EXPECT_EQ(trial_of(right_answer, {}, true, scenario).verdict, Verdict::solved);
 }
 
 TEST(Trial, SpendingMoreThanTheBudgetIsInvalidHoweverGoodThePath) {

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "core/gap.hpp"
 #include "core/planner.hpp"
 #include "core/record.hpp"
 #include "core/referee.hpp"

@@ -1,4 +1,4 @@
-// What names a trial, what its digest covers, and its gap.
+// What names a trial, and what its digest covers.
 
 #include "core/record.hpp"
 
@@ -138,44 +138,6 @@ TEST(CampaignDigest, ChangesWithEachKeyAndDigestAndWithWhichBelongsToWhich) {
       campaign_digest({{1, 10, false}, {1, 10, false}}),
   };
   EXPECT_EQ(digests.size(), 7U);
-}
-
-PathMetrics lattice(LatticeLength length) {
-  PathMetrics metrics;
-  metrics.lattice = length;
-  metrics.length = length.value();
-  return metrics;
-}
-
-PathMetrics any_angle(double length) {
-  PathMetrics metrics;
-  metrics.length = length;
-  return metrics;
-}
-
-TEST(Gap, IsExactlyZeroAtTheOptimum) {
-  for (std::int64_t straight = 0; straight < 40; ++straight) {
-    for (std::int64_t diagonal = 0; diagonal < 40; ++diagonal) {
-      const LatticeLength length{straight, diagonal};
-      ASSERT_EQ(gap(lattice(length), {true, length}), 0.0);
-    }
-  }
-}
-
-TEST(Gap, IsTheShareAboveTheOptimum) {
-  EXPECT_NEAR(gap(lattice({15, 0}), {true, LatticeLength{12, 0}}).value(), 0.25, 1e-15);
-  EXPECT_NEAR(gap(any_angle(9), {true, LatticeLength{10, 0}}).value(), -0.1, 1e-15);
-}
-
-TEST(Gap, OfStartAtTheGoalIsZero) {
-  EXPECT_EQ(gap(lattice({0, 0}), {true, LatticeLength{0, 0}}), 0.0);
-  EXPECT_EQ(gap(any_angle(0), {true, LatticeLength{0, 0}}), 0.0);
-}
-
-TEST(Gap, IsNothingWhereThereIsNoReference) {
-  EXPECT_EQ(gap(lattice({5, 0}), {}), std::nullopt);
-  EXPECT_EQ(gap(lattice({5, 0}), {true, std::nullopt}), std::nullopt);
-  EXPECT_EQ(gap(lattice({2, 0}), {true, LatticeLength{0, 0}}), std::nullopt);  // a share of nothing
 }
 
 }  // namespace

@@ -100,6 +100,20 @@ TEST(Row, HasMetricsOfSolvedTrialsOnlyButKeepsARefusedPath) {
   EXPECT_EQ(row.answer, trial.record.answer);
 }
 
+TEST(Row, CountsItsGapFromTheOptimumOfItsTrack) {
+  Trial trial;
+  trial.card.track = Track::any_angle;
+  trial.scenario.any_angle_optimum = {true, 2.4};
+  trial.record.metrics->lattice.reset();
+  const TrialRow row = trial.row();
+  EXPECT_EQ(row.optimum, 2.4);
+  EXPECT_DOUBLE_EQ(row.gap.value(), 0.25);  // 3 / 2.4 - 1
+  trial.record.verdict = Verdict::budget;
+  EXPECT_EQ(trial.row().optimum, 2.4);
+  trial.scenario.any_angle_optimum.length.reset();
+  EXPECT_EQ(trial.row().optimum, std::nullopt);
+}
+
 TEST(Row, HasNoGapWithoutAReference) {
   Trial trial;
   trial.scenario.optimum = {};

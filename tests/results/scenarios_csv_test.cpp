@@ -19,6 +19,7 @@ ScenarioRow some_scenario(const std::string& id) {
   row.start = {1, 2};
   row.goal = {19, 9};
   row.optimum = 2;
+  row.any_angle_optimum = 1.75;
   row.hash = 0xFEDCBA9876543210U;
   row.features = {{"zeal", 0.5}, {"ardour", std::nullopt}};
   return row;
@@ -44,6 +45,7 @@ TEST(Scenarios, ComeBackAsTheyWereStored) {
       {"huge", 1.7976931348623157e308}, {"tiny", 5e-324}, {"third", 1.0 / 3}, {"count", 1e15}};
   rows[1].rule = MoveRule::squeeze;
   rows[1].optimum = std::nullopt;
+  rows[2].any_angle_optimum = std::nullopt;
   rows[2].features.clear();
   Store::create(folder / "results.db", some_identity()).describe(rows);
   EXPECT_EQ(all_scenarios(Store::open(folder / "results.db", Access::read)), rows);
@@ -119,13 +121,14 @@ TEST(ScenariosCsv, HasAColumnPerFeatureAndNothingForNothing) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "results.db", some_identity());
   ScenarioRow other = some_scenario("trap,odd/1");
-  other.optimum = std::nullopt;
+  other.optimum = other.any_angle_optimum = std::nullopt;
   other.features = {{"ardour", 7}};
   store.describe({some_scenario("trap-u/20/1"), other});
-  EXPECT_EQ(scenarios_csv(store),
-            "id,family,width,height,rule,start_x,start_y,goal_x,goal_y,optimum,hash,zeal,ardour\n"
-            "trap-u/20/1,trap-u,20,10,strict,1,2,19,9,2,fedcba9876543210,0.5,\n"
-            "\"trap,odd/1\",\"trap,odd\",20,10,strict,1,2,19,9,,fedcba9876543210,,7\n");
+  EXPECT_EQ(
+      scenarios_csv(store),
+      "id,family,width,height,rule,start_x,start_y,goal_x,goal_y,optimum,any_angle_optimum,hash,zeal,ardour\n"
+      "trap-u/20/1,trap-u,20,10,strict,1,2,19,9,2,1.75,fedcba9876543210,0.5,\n"
+      "\"trap,odd/1\",\"trap,odd\",20,10,strict,1,2,19,9,,,fedcba9876543210,,7\n");
 }
 
 TEST(FeaturesView, NamesTheScenarioOfEachValue) {

@@ -125,7 +125,7 @@ TEST(StoreOpen, RefusesAnotherSchemaVersionAndNamesBoth) {
   const TemporaryFolder folder;
   const fs::path file = stored(folder);
   run_sql(file, "PRAGMA user_version = 7");
-  expect_refused(file, {"schema version 7", "expects version 4"});
+  expect_refused(file, {"schema version 7", "expects version 5"});
 }
 
 TEST(StoreOpen, RefusesATruncatedFile) {
@@ -221,6 +221,9 @@ TEST(StoreRead, NamesTheRowAndTheColumnThatCannotBeRead) {
       {"UPDATE trial SET digest = '00000000000000AB' WHERE number = 2", "digest"},
       {"UPDATE trial SET length = 'long' WHERE number = 2", "length"},
       {"UPDATE trial SET gap = x'00' WHERE number = 2", "gap"},
+      {"INSERT INTO scenario VALUES (9, 'x', 'strict'); INSERT INTO reference VALUES (9, 'lattice', 'far'); "
+       "UPDATE trial SET scenario = 9 WHERE number = 2",
+       "optimum"},
       {"UPDATE trial SET turns = -1 WHERE number = 2", "turns"},
       {"UPDATE trial SET turns = 1.5 WHERE number = 2", "turns"},
       {"UPDATE trial SET evaluations = -1 WHERE number = 2", "evaluations"},

@@ -68,18 +68,44 @@ TEST(Store, GoesOnWhereItWasClosed) {
   expect_same(rows[1], solved_row(2, "a", "trap-u/20/1"));
 }
 
-TEST(Store, KeepsScenariosApartThatDifferInRuleOrOptimumOnly) {
+TEST(Store, KeepsScenariosAndReferencesApartByRuleAndTrack) {
   const TemporaryFolder folder;
   Store store = Store::create(folder / "results.db", some_identity());
   std::vector<TrialRow> rows(4, solved_row(0, "a", "trap-u/20/1"));
   rows[1].rule = MoveRule::free;
-  rows[2].optimum = 2.0000000000000004;
+  rows[1].optimum = 1.5;
+  rows[2].track = Track::any_angle;
+  rows[2].optimum = 1.9999999999999998;
+  rows[3].rule = MoveRule::free;
+  rows[3].track = Track::any_angle;
   rows[3].optimum = std::nullopt;
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i].key = i;
   store.append(rows);
   const std::vector<TrialRow> read = all_rows(store);
   ASSERT_EQ(read.size(), rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) expect_same(rows[i], read[i]);
+}
+
+TEST(Store, RefusesATrialThatCountsFromAnotherReference) {
+  const TemporaryFolder folder;
+  const auto counted_from = [](std::uint64_t key, std::optional<double> optimum) {
+    TrialRow row = solved_row(key, "a", "trap-u/20/1");
+    row.track = Track::any_angle;
+    row.optimum = optimum;
+    return row;
+  };
+  Store::create(folder / "results.db", some_identity()).append({counted_from(1, 2.5)});
+  Store store = Store::open(folder / "results.db", Access::append);
+  const std::vector<std::optional<double>> others = {2.5000000000000004, std::nullopt};
+  for (const std::optional<double> other : others) {
+    const std::string message = message_of<InputError>([&] {
+      store.append({counted_from(2, 2.5), counted_from(3, other)});
+    });
+    expect_line(message, {"results.db", "'trap-u/20/1'", "any_angle", "2.5"});
+    EXPECT_EQ(store.size(), 1U);
+  }
+  store.append({counted_from(4, 2.5)});
+  EXPECT_EQ(store.size(), 2U);
 }
 
 TEST(Store, RefusesAKeyTwiceAndKeepsNothingOfThatBatch) {

@@ -20,6 +20,10 @@ Json value_of(const Feature& feature, const std::optional<double>& value) {
   return feature.type == FeatureType::integer ? Json(static_cast<std::int64_t>(*value)) : Json(*value);
 }
 
+Json nullable(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
 Json object_of(const results::ScenarioRow& row, bool with_features) {
   Json object = {{"id", row.id},
                  {"family", row.family()},
@@ -28,7 +32,8 @@ Json object_of(const results::ScenarioRow& row, bool with_features) {
                  {"rule", name(row.rule)},
                  {"start", {row.start.x, row.start.y}},
                  {"goal", {row.goal.x, row.goal.y}},
-                 {"optimum", row.optimum ? Json(*row.optimum) : Json(nullptr)},
+                 {"optimum", nullable(row.optimum)},
+                 {"any_angle_optimum", nullable(row.any_angle_optimum)},
                  {"hash", hex(row.hash)}};
   if (!with_features) return object;
   Json& values = object["features"] = Json::object();
