@@ -202,7 +202,7 @@ int plan_command(const PlanCommand& command) {
         fmt::format("--frames: expected a dynamic scenario such as discs/open/1, got '{}'", scenario.id));
   }
   const Budget budget = command.budget.unlimited() ? entrant.card->default_budget : command.budget;
-  const TrialKey key{scenario.id,        content_hash(scenario), entrant.full_call(), entrant.card->version,
+  const TrialKey key{scenario.id,        content_hash(scenario), entrant.full_call(), entrant.version(),
                      command.repetition, command.seed,           work_hash(budget)};
   std::vector<Overlay> overlays;
   TrialRecord record = run_once(command, entrant, scenario, budget,
