@@ -57,8 +57,7 @@ class LegJudge {
     StepAcross step_across = StepAcross::arc;
   };
 
-  LegJudge(const Snapshot& snapshot, std::vector<Obstacle> obstacles, const Rules& rules)
-      : snapshot_(snapshot), obstacles_(std::move(obstacles)), rules_(rules) {}
+  LegJudge(const Snapshot& snapshot, std::vector<Obstacle> obstacles, const Rules& rules);
 
   /// Eq. (10), over both legs. Safe for several threads at once.
   double penalty(Point particle) const;
@@ -67,11 +66,19 @@ class LegJudge {
   double barrier() const { return rules_.barrier; }
 
  private:
+  static constexpr std::size_t block = 8;  // discs that are looked at together
+  using Marks = std::array<std::uint64_t, block>;
+
   double outside(Point particle) const;
   double legs(const Obstacle& obstacle, Point particle) const;
+  Marks met(std::size_t begin, Point particle) const;
 
   const Snapshot& snapshot_;
   std::vector<Obstacle> obstacles_;
+  // Of the obstacles, for vectors; filled up to a whole block with discs of radius 0, which nothing meets.
+  std::vector<double> x_;
+  std::vector<double> y_;
+  std::vector<double> radius_;
   Rules rules_;
 };
 
