@@ -89,7 +89,7 @@ std::optional<Chord> chord(Point from, Point to, Point centre, double radius) {
 }
 
 double depth_in(const Obstacle& obstacle, Point point) {
-  constexpr double touch = 1e-9;
+  constexpr double touch = 1e-11;  // well below 1e-9 units, from which on a referee calls it a collision
   const double dx = point.x - obstacle.centre.x;
   const double dy = point.y - obstacle.centre.y;
   const double depth = obstacle.radius - std::sqrt(dx * dx + dy * dy);
@@ -133,9 +133,10 @@ double LegJudge::legs(const Obstacle& obstacle, Point particle) const {
   if (depth > 0) return rules_.barrier + depth;
   double sum = 0;
   const auto step = chord(snapshot_.robot, particle, obstacle.centre, obstacle.radius);
-  if (step && depth_in(obstacle, snapshot_.robot) == 0) {
-    const bool barred = rules_.step_across == StepAcross::barred;
-    sum += barred ? rules_.barrier : std::min(rules_.barrier, way_around(obstacle, *step));
+  if (step && rules_.step_across == StepAcross::barred) {
+    sum += rules_.barrier;  // also out of this very disc by way of its middle
+  } else if (step && depth_in(obstacle, snapshot_.robot) == 0) {
+    sum += std::min(rules_.barrier, way_around(obstacle, *step));
   }
   const auto rest = chord(particle, snapshot_.goal, obstacle.centre, obstacle.radius);
   if (rest && depth_in(obstacle, snapshot_.goal) == 0) {

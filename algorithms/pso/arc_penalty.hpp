@@ -9,7 +9,8 @@
 // paper leaves open what happens when a leg ends inside a disc, and at the border; algorithms.md 4.3 has the
 // reconstruction that is used here:
 //  - a particle inside a disc is barred: `barrier` plus its depth, once;
-//  - a disc around the goal does not block the second leg, one around the robot does not block the first;
+//  - a disc around the goal does not block the second leg, one around the robot does not block the first,
+//    unless steps across discs are barred and the leg goes deeper into it;
 //  - an arc between disc and border where the robot does not fit is no way; without a way: `barrier`;
 //  - a particle outside the workspace is barred: `barrier` plus how far it is outside.
 #pragma once
@@ -46,7 +47,7 @@ double way_around(const Obstacle& obstacle, const Chord& chord);
 /// What a leg across a disc costs when it is the robot's very next step.
 enum class StepAcross {
   arc,     ///< the way around, as published: the robot may step across the edge of a disc
-  barred,  ///< the barrier
+  barred,  ///< the barrier; also where it goes deeper into a disc that has run into the robot
 };
 
 /// Judges the particles of one step.

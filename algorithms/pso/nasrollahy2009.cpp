@@ -169,6 +169,7 @@ PlannerCard nasrollahy2009_card() {
   PlannerCard card;
   card.name = "nasrollahy2009";
   card.kind = Kind::navigator;
+  card.version = 2;
   card.summary = "particle swarm that picks each step among moving discs by the detours it leaves";
   card.source = "A. Z. Nasrollahy, H. H. S. Javadi, EMS 2009, eq. (1)-(10); lost equations: algorithms.md 4";
   card.default_budget.iterations = 500;

@@ -100,6 +100,22 @@ TEST(ArcPenalty, AStepAcrossADiscMayBeBarred) {
   EXPECT_NEAR(penalty(discs, {10, 50}, {40, 50}, {90, 50}, {1000, StepAcross::barred}), 1000 + pi * 6, 1e-9);
 }
 
+TEST(ArcPenalty, ARobotThatADiscHasRunIntoMayBeBarredFromGoingDeeper) {
+  const std::vector<Disc> discs = {{{30, 50}, 4}};
+  const Point robot{27, 50};  // 1 deep
+  const LegJudge::Rules arc{1000, StepAcross::arc};
+  const LegJudge::Rules barred{1000, StepAcross::barred};
+  EXPECT_EQ(penalty(discs, robot, {35, 50}, {35, 90}, barred), 1000);  // through the middle
+  EXPECT_EQ(penalty(discs, robot, {35, 50}, {35, 90}, arc), 0);
+  EXPECT_EQ(penalty(discs, robot, {22, 50}, {22, 90}, barred), 0);  // straight out
+  EXPECT_EQ(penalty(discs, robot, {26.9, 58}, {26.9, 90}, barred), 0);
+}
+
+TEST(ArcPenalty, WhatTheRefereeCallsACollisionIsInside) {
+  EXPECT_GT(penalty({{{50, 50}, 8}}, {40, 50}, {42 + 1.1e-9, 50}, {42, 90}), 1e5);
+  EXPECT_EQ(penalty({{{50, 50}, 8}}, {40, 50}, {42 + 1e-12, 50}, {42, 90}), 0);  // on it, but for rounding
+}
+
 TEST(ArcPenalty, AnAdjacentDiscMakesTheLesserArcTheDearerOne) {
   // The line passes below the centre: the arc below is the lesser one, 8 * 2 acos(1/8). A disc of radius 2
   // that touches from below adds 4 pi there, and the arc above becomes the way.
