@@ -50,6 +50,8 @@ name = "astar"
 [[planner]]
 name = "dijkstra"
 [[planner]]
+name = "nasrollahy2009"
+[[planner]]
 name = "straight"
 [[planner]]
 name = "potential-field"

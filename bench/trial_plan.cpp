@@ -116,7 +116,7 @@ class Planning {
     trial.key = {plan_.scenarios[scenario].id,
                  content_[scenario],
                  plan_.entrants[entrant].full_call(),
-                 card.version,
+                 plan_.entrants[entrant].version(),
                  0,
                  campaign.seed,
                  work_hash(trial.budget)};

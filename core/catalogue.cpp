@@ -96,6 +96,10 @@ std::string Entrant::full_call() const {
   return spell_call(card->name, values);
 }
 
+int Entrant::version() const {
+  return card->inner_version ? card->version + card->inner_version(values) - 1 : card->version;
+}
+
 Catalogue::Catalogue(std::vector<PlannerCard> cards) : cards_(std::move(cards)) {
   std::sort(cards_.begin(), cards_.end(),
             [](const PlannerCard& a, const PlannerCard& b) { return a.name < b.name; });

@@ -50,6 +50,9 @@ struct PlannerCard {
   /// How tables name a call, given every value; empty: the name with what differs from the defaults.
   std::function<std::string(const ParameterValues&)> spell;
 
+  /// The version of the planner that is a parameter, given every value; empty: no parameter is one.
+  std::function<int(const ParameterValues&)> inner_version;
+
   bool navigates() const { return static_cast<bool>(make_navigator); }
 };
 
@@ -101,6 +104,9 @@ struct Entrant {
 
   /// The call with every parameter, defaults included; part of a trial's key.
   std::string full_call() const;
+  /// Of the call, and part of a trial's key, too: it rises with the card's version and with that of a planner
+  /// that is a parameter. 1 when both are 1.
+  int version() const;
 };
 
 class Catalogue {

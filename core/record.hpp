@@ -47,7 +47,7 @@ struct TrialKey {
   std::string scenario;          ///< id
   std::uint64_t content = 0;     ///< the scenario's content hash
   std::string planner;           ///< full call, defaults included
-  int version = 1;               ///< of the planner's card
+  int version = 1;               ///< of the planner, Entrant::version
   std::uint64_t repetition = 0;  ///< counts from 0
   std::uint64_t seed = 0;        ///< of the campaign
   std::uint64_t budget = 0;      ///< work_hash of the budget

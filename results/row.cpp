@@ -51,7 +51,7 @@ TrialRow make_row(const TrialKey& key, const Scenario& scenario, const Entrant& 
   row.scenario = scenario.id;
   row.planner = entrant.label;
   row.call = entrant.full_call();
-  row.version = entrant.card->version;
+  row.version = entrant.version();
   row.repetition = key.repetition;
   row.seed = key.seed;
   row.budget = to_string(budget);

@@ -19,6 +19,8 @@ constexpr Colour goal_trail = {0xe6, 0x9a, 0xb4};
 constexpr double trail_width = 2;  // pixels, like the rest
 constexpr double way_width = 3;
 constexpr double particle = 1.6;
+constexpr double particle_of_many = 0.8;  // the swarms of a whole run
+constexpr std::size_t many_particles = 1000;
 constexpr double mark_size = 9;
 
 /// From units of the world to pixels.
@@ -68,8 +70,9 @@ void draw_overlay(Pen& pen, const Place& place, const Overlay& overlay) {
     pen.ring(place.of(circle.centre), circle.radius * place.scale, overlay_line, palette.faint);
   }
   pen.line(place.of(overlay.polyline), overlay_line, palette.start);
+  const double radius = overlay.points.size() > many_particles ? particle_of_many : particle;
   for (const Point point : overlay.points) {
-    if (std::isfinite(point.x) && std::isfinite(point.y)) pen.disc(place.of(point), particle, shade_colour);
+    if (std::isfinite(point.x) && std::isfinite(point.y)) pen.disc(place.of(point), radius, shade_colour);
   }
 }
 

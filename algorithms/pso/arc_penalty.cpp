@@ -16,6 +16,35 @@ double wrapped(double angle) {
   return angle < 0 ? angle + full_turn : angle;
 }
 
+struct Leg {
+  Leg(Point start, Point end)
+      : from(start), way{end.x - start.x, end.y - start.y}, length2(way.x * way.x + way.y * way.y) {}
+
+  Point from;
+  Point way;
+  double length2;
+};
+
+// Where a leg's line comes nearest to a circle's centre, as seen from there.
+struct Foot {
+  double x;
+  double y;
+  double half2;  // half of the line's chord, squared
+  bool crosses;  // and between the leg's ends
+};
+
+// Without branches, so that a loop over discs becomes vectors. A leg of no length crosses nothing.
+inline Foot foot_of(const Leg& leg, double x, double y, double radius) {
+  constexpr double tangent = 1e-12;  // of the squared radius: half chords below a millionth of it
+  const Point at{leg.from.x - x, leg.from.y - y};
+  const double towards = -(at.x * leg.way.x + at.y * leg.way.y);
+  const double t = towards / leg.length2;
+  const Point middle{at.x + t * leg.way.x, at.y + t * leg.way.y};
+  const double half2 = radius * radius - (middle.x * middle.x + middle.y * middle.y);
+  const bool crosses = (towards > 0) & (towards < leg.length2) & (half2 > tangent * radius * radius);
+  return {middle.x, middle.y, half2, crosses};
+}
+
 // Counter-clockwise from `begin` over `span`.
 struct Arc {
   double begin;
@@ -49,24 +78,18 @@ bool meets_border(const Obstacle& obstacle, const Arc& arc, bool inside) {
 }  // namespace
 
 std::optional<Chord> chord(Point from, Point to, Point centre, double radius) {
-  constexpr double tangent = 1e-12;  // of the squared radius: half chords below a millionth of it
-  const Point way{to.x - from.x, to.y - from.y};
-  const Point at{from.x - centre.x, from.y - centre.y};
-  const double length2 = way.x * way.x + way.y * way.y;
-  const double towards = -(at.x * way.x + at.y * way.y);
-  if (!(towards > 0 && towards < length2)) return std::nullopt;
-  const double t = towards / length2;
-  const Point middle{at.x + t * way.x, at.y + t * way.y};
-  const double half2 = radius * radius - (middle.x * middle.x + middle.y * middle.y);
-  if (half2 <= tangent * radius * radius) return std::nullopt;
-  const double s = std::sqrt(half2 / length2);
-  const Point half{s * way.x, s * way.y};
+  const Leg leg(from, to);
+  const Foot foot = foot_of(leg, centre.x, centre.y, radius);
+  if (!foot.crosses) return std::nullopt;
+  const Point middle{foot.x, foot.y};
+  const double s = std::sqrt(foot.half2 / leg.length2);
+  const Point half{s * leg.way.x, s * leg.way.y};
   return Chord{std::atan2(middle.y - half.y, middle.x - half.x),
                std::atan2(middle.y + half.y, middle.x + half.x)};
 }
 
 double depth_in(const Obstacle& obstacle, Point point) {
-  constexpr double touch = 1e-9;
+  constexpr double touch = 1e-11;  // well below 1e-9 units, from which on a referee calls it a collision
   const double dx = point.x - obstacle.centre.x;
   const double dy = point.y - obstacle.centre.y;
   const double depth = obstacle.radius - std::sqrt(dx * dx + dy * dy);
@@ -84,6 +107,19 @@ double way_around(const Obstacle& obstacle, const Chord& chord) {
   return least;
 }
 
+LegJudge::LegJudge(const Snapshot& snapshot, std::vector<Obstacle> obstacles, const Rules& rules)
+    : snapshot_(snapshot), obstacles_(std::move(obstacles)), rules_(rules) {
+  const std::size_t whole = (obstacles_.size() + block - 1) / block * block;
+  x_.resize(whole);
+  y_.resize(whole);
+  radius_.resize(whole);
+  for (std::size_t i = 0; i < obstacles_.size(); ++i) {
+    x_[i] = obstacles_[i].centre.x;
+    y_[i] = obstacles_[i].centre.y;
+    radius_[i] = obstacles_[i].radius;
+  }
+}
+
 // How far the robot's centre is beyond where the robot still fits into the workspace.
 double LegJudge::outside(Point particle) const {
   const double r = snapshot_.robot_radius;
@@ -97,9 +133,10 @@ double LegJudge::legs(const Obstacle& obstacle, Point particle) const {
   if (depth > 0) return rules_.barrier + depth;
   double sum = 0;
   const auto step = chord(snapshot_.robot, particle, obstacle.centre, obstacle.radius);
-  if (step && depth_in(obstacle, snapshot_.robot) == 0) {
-    const bool barred = rules_.step_across == StepAcross::barred;
-    sum += barred ? rules_.barrier : std::min(rules_.barrier, way_around(obstacle, *step));
+  if (step && rules_.step_across == StepAcross::barred) {
+    sum += rules_.barrier;  // also out of this very disc by way of its middle
+  } else if (step && depth_in(obstacle, snapshot_.robot) == 0) {
+    sum += std::min(rules_.barrier, way_around(obstacle, *step));
   }
   const auto rest = chord(particle, snapshot_.goal, obstacle.centre, obstacle.radius);
   if (rest && depth_in(obstacle, snapshot_.goal) == 0) {
@@ -108,9 +145,34 @@ double LegJudge::legs(const Obstacle& obstacle, Point particle) const {
   return sum;
 }
 
+// Which discs of the block have a price at all; most have none. A particle deeper in a disc than rounding is
+// nearer to its centre than its radius.
+LegJudge::Marks LegJudge::met(std::size_t begin, Point particle) const {
+  const Leg step(snapshot_.robot, particle);
+  const Leg rest(particle, snapshot_.goal);
+  const double* const x = x_.data() + begin;
+  const double* const y = y_.data() + begin;
+  const double* const radius = radius_.data() + begin;
+  Marks marks;
+  for (std::size_t k = 0; k < block; ++k) {
+    const double dx = particle.x - x[k];
+    const double dy = particle.y - y[k];
+    const bool inside = dx * dx + dy * dy < radius[k] * radius[k];
+    const Foot of_step = foot_of(step, x[k], y[k], radius[k]);
+    const Foot of_rest = foot_of(rest, x[k], y[k], radius[k]);
+    marks[k] = std::uint64_t{inside} | std::uint64_t{of_step.crosses} | std::uint64_t{of_rest.crosses};
+  }
+  return marks;
+}
+
 double LegJudge::penalty(Point particle) const {
   double sum = 0;
-  for (const Obstacle& obstacle : obstacles_) sum += legs(obstacle, particle);
+  for (std::size_t begin = 0; begin < radius_.size(); begin += block) {
+    const Marks marks = met(begin, particle);
+    for (std::size_t k = 0; k < block; ++k) {
+      if (marks[k] != 0) sum += legs(obstacles_[begin + k], particle);
+    }
+  }
   const double beyond = outside(particle);
   return beyond > 0 ? sum + rules_.barrier + beyond : sum;
 }

@@ -9,7 +9,8 @@
 // paper leaves open what happens when a leg ends inside a disc, and at the border; algorithms.md 4.3 has the
 // reconstruction that is used here:
 //  - a particle inside a disc is barred: `barrier` plus its depth, once;
-//  - a disc around the goal does not block the second leg, one around the robot does not block the first;
+//  - a disc around the goal does not block the second leg, one around the robot does not block the first,
+//    unless steps across discs are barred and the leg goes deeper into it;
 //  - an arc between disc and border where the robot does not fit is no way; without a way: `barrier`;
 //  - a particle outside the workspace is barred: `barrier` plus how far it is outside.
 #pragma once
@@ -46,7 +47,7 @@ double way_around(const Obstacle& obstacle, const Chord& chord);
 /// What a leg across a disc costs when it is the robot's very next step.
 enum class StepAcross {
   arc,     ///< the way around, as published: the robot may step across the edge of a disc
-  barred,  ///< the barrier
+  barred,  ///< the barrier; also where it goes deeper into a disc that has run into the robot
 };
 
 /// Judges the particles of one step.
@@ -57,8 +58,7 @@ class LegJudge {
     StepAcross step_across = StepAcross::arc;
   };
 
-  LegJudge(const Snapshot& snapshot, std::vector<Obstacle> obstacles, const Rules& rules)
-      : snapshot_(snapshot), obstacles_(std::move(obstacles)), rules_(rules) {}
+  LegJudge(const Snapshot& snapshot, std::vector<Obstacle> obstacles, const Rules& rules);
 
   /// Eq. (10), over both legs. Safe for several threads at once.
   double penalty(Point particle) const;
@@ -67,11 +67,19 @@ class LegJudge {
   double barrier() const { return rules_.barrier; }
 
  private:
+  static constexpr std::size_t block = 8;  // discs that are looked at together
+  using Marks = std::array<std::uint64_t, block>;
+
   double outside(Point particle) const;
   double legs(const Obstacle& obstacle, Point particle) const;
+  Marks met(std::size_t begin, Point particle) const;
 
   const Snapshot& snapshot_;
   std::vector<Obstacle> obstacles_;
+  // Of the obstacles, for vectors; filled up to a whole block with discs of radius 0, which nothing meets.
+  std::vector<double> x_;
+  std::vector<double> y_;
+  std::vector<double> radius_;
   Rules rules_;
 };
 

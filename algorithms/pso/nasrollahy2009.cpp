@@ -17,6 +17,7 @@
 // steps whose best particle was still inside a disc or without a way; `revisits`, steps back to an earlier
 // place.
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -69,10 +70,8 @@ class StepSwarm {
   /// The best particle is inside a disc, or has no way to the goal.
   bool barred() const { return judge_.penalty(best()) >= judge_.barrier(); }
 
-  void draw(Overlay& overlay) const {
-    for (std::size_t i = 0; i < swarm_.size(); ++i) overlay.points.push_back(place(swarm_.position(i)));
-    overlay.polyline = {snapshot_.robot, best(), snapshot_.goal};
-  }
+  /// The two legs of the best particle.
+  void draw_legs(Overlay& overlay) const { overlay.polyline = {snapshot_.robot, best(), snapshot_.goal}; }
 
  private:
   Point place(std::span<const double> position) const {
@@ -99,6 +98,14 @@ class StepSwarm {
     context.meter.spend_checks(batch * judge_.checks());
     if (batch < swarm_.size()) context.meter.spend_checks(leftover(context.meter));
     swarm_.learn(batch);
+    if (context.overlay != nullptr && is_drawn(k)) draw(batch, *context.overlay);
+  }
+
+  // The birth and the iterations 1, 2, 4, 8, ...: a swarm at its end is one point.
+  static bool is_drawn(std::size_t k) { return k == 0 || std::has_single_bit(k); }
+
+  void draw(std::size_t count, Overlay& overlay) const {
+    for (std::size_t i = 0; i < count; ++i) overlay.points.push_back(place(swarm_.position(i)));
   }
 
   // Eq. (9).
@@ -138,7 +145,7 @@ class Nasrollahy2009 final : public Navigator {
     context.meter.count("barred", barred ? 1 : 0);
     const Point next = barred && settings_.stay_when_barred ? robot : swarm.best();
     remember(robot, next, settings_.revisit * snapshot.robot_step, context.meter);
-    if (context.overlay != nullptr) swarm.draw(*context.overlay);
+    if (context.overlay != nullptr) swarm.draw_legs(*context.overlay);
     return next;
   }
 
@@ -162,6 +169,7 @@ PlannerCard nasrollahy2009_card() {
   PlannerCard card;
   card.name = "nasrollahy2009";
   card.kind = Kind::navigator;
+  card.version = 2;
   card.summary = "particle swarm that picks each step among moving discs by the detours it leaves";
   card.source = "A. Z. Nasrollahy, H. H. S. Javadi, EMS 2009, eq. (1)-(10); lost equations: algorithms.md 4";
   card.default_budget.iterations = 500;
@@ -173,7 +181,8 @@ PlannerCard nasrollahy2009_card() {
               "heading", &S::heading, Source::inferred,
               "projected: a particle is a step in the plane, brought to length R; angle: alpha of eq. (6)"),
           choice("step_across", &S::step_across, Source::paper,
-                 "price of a next step across a disc: its arc, as published, or barred like a place inside"),
+                 "price of a next step that crosses a disc: arc, as published, the way around, so that the "
+                 "robot may clip the disc's edge; barred, as if the step ended inside it"),
           boolean("stay_when_barred", &S::stay_when_barred, Source::inferred,
                   "stay when even the best particle is inside a disc or without a way"),
           real("barrier", &S::barrier, 1, 1e9, "diagonals", Source::inferred,

@@ -125,6 +125,9 @@ PlannerCard replan_card(const std::shared_ptr<const Catalogue>& planners) {
   card.spell = [planners, cards = card.parameters](const ParameterValues& values) {
     return spell(*planners, cards, values);
   };
+  card.inner_version = [planners](const ParameterValues& values) {
+    return inner_entrant(*planners, values.at("planner")).version();
+  };
   return card;
 }
 

@@ -152,15 +152,21 @@ void write_pictures(const PlanCommand& command, const Scenario& scenario, const 
   }
 }
 
-// Everything of a run on one sheet: the swarms of all steps, the rest of the last one.
+// Everything of a run on one sheet: the swarms of all steps, evenly thinned where they are too many, and the
+// rest of the last step.
 Overlay collected(const std::vector<Overlay>& steps) {
-  constexpr std::size_t most_points = 50'000;
-  Overlay all;
+  constexpr std::size_t most_points = 10'000;
+  if (steps.empty()) return {};
+  std::size_t total = 0;
+  for (const Overlay& step : steps) total += step.points.size();
+  const std::size_t stride = total / most_points + 1;
+  Overlay all = steps.back();
+  all.points.clear();
+  std::size_t number = 0;
   for (const Overlay& step : steps) {
-    std::vector<Point> points = std::move(all.points);
-    all = step;
-    if (points.size() < most_points) points.insert(points.end(), step.points.begin(), step.points.end());
-    all.points = std::move(points);
+    for (const Point point : step.points) {
+      if (number++ % stride == 0) all.points.push_back(point);
+    }
   }
   return all;
 }
@@ -206,7 +212,7 @@ int plan_command(const PlanCommand& command) {
         fmt::format("--frames: expected a dynamic scenario such as discs/open/1, got '{}'", scenario.id));
   }
   const Budget budget = command.budget.unlimited() ? entrant.card->default_budget : command.budget;
-  const TrialKey key{scenario.id,        content_hash(scenario), entrant.full_call(), entrant.card->version,
+  const TrialKey key{scenario.id,        content_hash(scenario), entrant.full_call(), entrant.version(),
                      command.repetition, command.seed,           work_hash(budget)};
   std::vector<Overlay> overlays;
   TrialRecord record = run_once(command, entrant, scenario, budget,

@@ -73,9 +73,47 @@ TEST(ArcPenalty, IsTheSumOverDiscsAndOverBothLegs) {
   EXPECT_EQ(penalty(discs, {10, 50}, {15, 50}, {20, 90}), 0);
 }
 
+TEST(ArcPenalty, OfManyDiscsApartIsTheSumOfEachAlone) {
+  std::vector<Disc> discs;
+  for (int i = 0; i < 5; ++i) {
+    for (int j = 0; j < 5; ++j) {
+      if (i + j > 0 && i + j < 8) discs.push_back({{10.0 + 20 * i, 10.0 + 20 * j}, 4.0 + 0.2 * j});
+    }
+  }
+  ASSERT_EQ(discs.size(), 23U);  // no multiple of any vector's length
+  Stream stream(5);
+  double most = 0;
+  for (int trial = 0; trial < 1000; ++trial) {
+    const Point robot{100 * stream.uniform(), 100 * stream.uniform()};
+    const Point particle{100 * stream.uniform(), 100 * stream.uniform()};
+    const Point goal{100 * stream.uniform(), 100 * stream.uniform()};
+    double expected = 0;
+    for (const Disc& disc : discs) expected += penalty({disc}, robot, particle, goal);
+    ASSERT_EQ(penalty(discs, robot, particle, goal), expected) << trial;
+    most = std::max(most, expected);
+  }
+  EXPECT_GT(most, 1e6);  // particles inside discs among them
+}
+
 TEST(ArcPenalty, AStepAcrossADiscMayBeBarred) {
   const std::vector<Disc> discs = {{{30, 50}, 4}, {{60, 50}, 6}};
   EXPECT_NEAR(penalty(discs, {10, 50}, {40, 50}, {90, 50}, {1000, StepAcross::barred}), 1000 + pi * 6, 1e-9);
+}
+
+TEST(ArcPenalty, ARobotThatADiscHasRunIntoMayBeBarredFromGoingDeeper) {
+  const std::vector<Disc> discs = {{{30, 50}, 4}};
+  const Point robot{27, 50};  // 1 deep
+  const LegJudge::Rules arc{1000, StepAcross::arc};
+  const LegJudge::Rules barred{1000, StepAcross::barred};
+  EXPECT_EQ(penalty(discs, robot, {35, 50}, {35, 90}, barred), 1000);  // through the middle
+  EXPECT_EQ(penalty(discs, robot, {35, 50}, {35, 90}, arc), 0);
+  EXPECT_EQ(penalty(discs, robot, {22, 50}, {22, 90}, barred), 0);  // straight out
+  EXPECT_EQ(penalty(discs, robot, {26.9, 58}, {26.9, 90}, barred), 0);
+}
+
+TEST(ArcPenalty, WhatTheRefereeCallsACollisionIsInside) {
+  EXPECT_GT(penalty({{{50, 50}, 8}}, {40, 50}, {42 + 1.1e-9, 50}, {42, 90}), 1e5);
+  EXPECT_EQ(penalty({{{50, 50}, 8}}, {40, 50}, {42 + 1e-12, 50}, {42, 90}), 0);  // on it, but for rounding
 }
 
 TEST(ArcPenalty, AnAdjacentDiscMakesTheLesserArcTheDearerOne) {

@@ -1,6 +1,7 @@
 // The navigator `nasrollahy2009` on frozen worlds drawn by hand.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "algorithms/pso/disc_world.hpp"
@@ -158,6 +159,24 @@ TEST(Nasrollahy2009, CountsParticlesAndDiscsAndNeverExceedsTheBudget) {
       EXPECT_LE(cut.steps(), limit);
     }
   }
+}
+
+TEST(Nasrollahy2009, DrawsWhereItsParticlesWereWhileTheyStillSearched) {
+  // The swarms at birth and after 1, 2, 4, 8, 16 and 32 iterations.
+  const Entrant entrant = bench::roster().enter(parse_call("nasrollahy2009"));
+  const std::unique_ptr<Executor> executor = bench::make_executor("serial", 1);
+  const Snapshot world = empty_world({50, 50}, {90, 50});
+  Meter meter{Budget{}};
+  Overlay overlay;
+  Context context{Stream(1), *executor, meter, &overlay};
+  const Point next = entrant.card->make_navigator(entrant.values)()->next(world, context);
+  ASSERT_EQ(overlay.points.size(), 7U * 30U);
+  for (const Point point : overlay.points) EXPECT_NEAR(separation(world.robot, point), 3, 1e-9);
+  const auto born = overlay.points.begin() + 30;
+  const auto behind = [&](Point point) { return point.x < 50; };
+  EXPECT_GT(std::count_if(overlay.points.begin(), born, behind), 5);  // born all around
+  EXPECT_LT(std::count_if(overlay.points.end() - 30, overlay.points.end(), behind), 5);
+  EXPECT_EQ(overlay.polyline, (std::vector<Point>{world.robot, next, world.goal}));
 }
 
 TEST(Nasrollahy2009, TheSameSeedTakesTheSameStepsOnEveryExecutorAndNumberOfThreads) {

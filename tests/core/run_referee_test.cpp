@@ -54,6 +54,26 @@ TEST(RunReferee, ARunThatStopsShortHasNotArrivedAndIsNoFault) {
   EXPECT_FALSE(judgement.arrived);
 }
 
+TEST(RunReferee, ArrivedIsWhoIsNoFartherThanTheThreshold) {
+  std::vector<Point> points = straight_run(25);  // up to 85,50
+  points.push_back({87, 50});                    // 3 from the goal at 90,50
+  EXPECT_TRUE(judge_run(empty_world(), points).arrived);
+  points.back().x = 86.999;
+  EXPECT_FALSE(judge_run(empty_world(), points).arrived);
+}
+
+TEST(RunReferee, ArrivalIsAtTheGoalAsItIsAfterItsMove) {
+  World world = still_world();
+  world.goal = {14, 50};
+  world.goal_law = GoalLaw::way_points;
+  world.way_points = {{90, 50}};
+  world.goal_chance = 1;
+  world.goal_step = 1;
+  world = *settled(world, "test");
+  EXPECT_TRUE(judge_run(world, {{10, 50}, {12, 50}}).arrived);     // the goal is at 15,50 by then
+  EXPECT_FALSE(judge_run(world, {{10, 50}, {11.5, 50}}).arrived);  // 2.5 from where it was
+}
+
 TEST(RunReferee, AnEmptyRunIsAFault) {
   EXPECT_EQ(fault_of(empty_world(), {}), "the run is empty");
 }
@@ -100,6 +120,20 @@ TEST(RunReferee, AWorldThatIsNotItsHashIsAFault) {
   EXPECT_NE(fault_of(world, straight_run(3)).find("otherwise than its id says"), std::string::npos);
 }
 
+TEST(RunReferee, DiscsThatMoveOtherwiseThanTheirIdSaysAreAFault) {
+  for (const GoalLaw law : {GoalLaw::random, GoalLaw::way_points, GoalLaw::flee}) {
+    const World world = *settled(testing::busy_world(3, law), "test");
+    const std::vector<Point> stands = {world.start, world.start};
+    EXPECT_EQ(fault_of(world, stands), "") << name(law);
+    World other = world;
+    other.motion += 1;  // the same discs at first, on other ways
+    EXPECT_NE(fault_of(other, stands).find("otherwise than its id says"), std::string::npos) << name(law);
+    other = world;
+    other.disc_step *= 0.5;
+    EXPECT_NE(fault_of(other, stands).find("otherwise than its id says"), std::string::npos) << name(law);
+  }
+}
+
 TEST(RunReferee, ADiscBetweenTheEndsOfAStepIsHit) {
   // Steps of 3 from x = 10: the disc at 11.5 lies between two positions, nearer to neither than 1.5.
   const RunJudgement judgement = judge_run(with_discs({{{11.5, 51.2}, 0.3}}), straight_run(3));
@@ -121,6 +155,14 @@ TEST(RunReferee, EveryStepIntoADiscCountsAndLeavingItDoesNot) {
   const RunJudgement judgement = judge_run(with_discs({{{30, 50}, 5}}), straight_run(26));
   EXPECT_EQ(judgement.metrics.collisions, 3U);
   EXPECT_NEAR(*judgement.metrics.min_clearance, -6, 1e-12);
+}
+
+TEST(RunReferee, AStepIntoTwoDiscsIsTwoCollisions) {
+  // Above and below 11.5,50, each 1.2 away, nearer than 0.3 + 1; the third, 1.4 away, is not touched.
+  const World world = with_discs({{{11.5, 51.2}, 0.3}, {{11.5, 48.8}, 0.3}, {{14, 51.4}, 0.3}});
+  const RunJudgement judgement = judge_run(world, straight_run(3));
+  EXPECT_EQ(judgement.metrics.collisions, 2U);
+  EXPECT_NE(judgement.collision.find("into disc 0"), std::string::npos) << judgement.collision;
 }
 
 // A world whose one disc moves 0.9 in every step, found by its direction.
