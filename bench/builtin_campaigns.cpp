@@ -42,13 +42,24 @@ params = { alpha = [1, 0] }
 name = "pu2022"
 params = { alpha = [1, 0] }
 [[planner]]
+name = "xie2010"
+params = { insertion = "general", repair = "local_search", initial_genes = 8, mutation = "stretch" }
+[[planner]]
+name = "pso"
+[[planner]]
 name = "greedy"
 [[planner]]
 name = "random-walk"
 [[planner]]
 name = "astar"
 [[planner]]
+name = "jps"
+[[planner]]
 name = "dijkstra"
+[[planner]]
+name = "theta-star"
+[[planner]]
+name = "any-angle-optimum"
 [[planner]]
 name = "nasrollahy2009"
 [[planner]]

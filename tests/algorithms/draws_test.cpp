@@ -15,7 +15,7 @@ std::uint64_t nth(std::uint64_t seed, int n) {
 }
 
 TEST(Draws, EachColumnGivesWhatItsStreamGivesAlone) {
-  for (const std::size_t count : {1, 3, 4, 5, 12}) {
+  for (const std::size_t count : {1U, 3U, 4U, 5U, 12U}) {
     Draws draws;
     for (std::size_t k = 0; k < count; ++k) draws.set(k, Stream(100 + k));
     for (int n = 1; n <= 50; ++n) {

@@ -114,7 +114,8 @@ TEST(ScenarioFeatures, AreListedAsCsv) {
   ASSERT_EQ(plain.exit_code, 0) << plain.err;
   const auto lines = lines_of(plain.out);
   ASSERT_EQ(lines.size(), 2U);
-  EXPECT_EQ(lines[0], "id,family,width,height,rule,start_x,start_y,goal_x,goal_y,optimum,any_angle_optimum,hash");
+  EXPECT_EQ(lines[0],
+            "id,family,width,height,rule,start_x,start_y,goal_x,goal_y,optimum,any_angle_optimum,hash");
   EXPECT_TRUE(lines[1].starts_with("asr/fig5,asr,5,5,strict,0,0,4,4,6.24264068711928"))
       << lines[1];  // 2 + 3 sqrt 2
 
