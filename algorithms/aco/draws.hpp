@@ -27,10 +27,7 @@ class Draws {
 
   /// The next draw of columns 0..count-1, and of those up to the next multiple of four, which then go astray.
   void advance(std::size_t count) {
-    for (std::size_t first = 0; first < count; first += width) {
-      const Four bits = quads_[first / width].advance();
-      std::memcpy(&bits_[first], &bits, sizeof bits);
-    }
+    for (std::size_t first = 0; first < count; first += width) quads_[first / width].advance(&bits_[first]);
   }
   /// What the last advance brought.
   std::uint64_t bits(std::size_t k) const { return bits_[k]; }
@@ -52,14 +49,15 @@ class Draws {
   struct Quad {
     std::array<Four, 4> state{};
 
-    // Stream::advance, four abreast.
-    Four advance() {
+    // Stream::advance, four abreast. No vector crosses a call: without AVX that would be another convention.
+    void advance(std::uint64_t* bits) {
       Four& a = state[0];
       Four& b = state[1];
       Four& c = state[2];
       Four& d = state[3];
       const Four sum = a + d;
-      const Four bits = (sum << 23U | sum >> 41U) + a;
+      const Four drawn = (sum << 23U | sum >> 41U) + a;
+      std::memcpy(bits, &drawn, sizeof drawn);
       const Four shifted = b << 17U;
       c ^= a;
       d ^= b;
@@ -67,7 +65,6 @@ class Draws {
       a ^= d;
       c ^= shifted;
       d = d << 45U | d >> 19U;
-      return bits;
     }
   };
 

@@ -57,10 +57,10 @@ class AntQueue {
 class Walker {
  public:
   /// As many lanes as are fastest on a map of this many cells: where what ants read no longer fits the
-  /// first-level cache, a step is mostly waiting, and more ants are needed to fill the wait. Fewer again
+  /// second-level cache, a step is mostly waiting, and more ants are needed to fill the wait. Fewer again
   /// where their memory would run to gigabytes.
   static constexpr std::size_t lanes_for(std::size_t cells) {
-    return is_far(cells) && cells < 1U << 21 ? 12 : 4;
+    return cells > 1U << 15 && cells < 1U << 21 ? 12 : 4;
   }
 
   /// 1 to Draws::capacity lanes.
@@ -74,7 +74,7 @@ class Walker {
  private:
   static constexpr std::uint64_t clock_interval = 1024;
 
-  // Whether what a step reads is worth asking for ahead of time.
+  // Beyond the first-level cache: whether what a step reads is worth asking for ahead of time.
   static constexpr bool is_far(std::size_t cells) { return cells > 1U << 12; }
 
   struct alignas(64) Lane {

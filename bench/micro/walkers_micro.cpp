@@ -38,7 +38,7 @@ void walkers(benchmark::State& state) {
   state.SetItemsProcessed(static_cast<std::int64_t>(decisions));
 }
 
-BENCHMARK(walkers)->ArgsProduct({{20, 100, 512}, {1, 4, 12}})->Unit(benchmark::kMicrosecond);
+BENCHMARK(walkers)->ArgsProduct({{20, 100, 128, 256, 512}, {1, 4, 6, 8, 12}})->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace pathrace::bench::micro
