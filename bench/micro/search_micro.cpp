@@ -155,7 +155,7 @@ void add(const std::string& map, const std::function<QuerySet()>& make) {
 }
 
 const bool all_registered = [] {
-  for (const char* id : {"random/512-25/1", "caves/512/1"}) {
+  for (const char* id : {"random/512-25/1", "caves/512-45/1"}) {
     std::string map = id;
     std::replace(map.begin(), map.end(), '/', '-');
     add(map, [id] { return generated(id); });
