@@ -14,8 +14,8 @@ namespace pathrace::bench {
 struct ScenReport {
   std::size_t queries = 0;  ///< matched + mismatched + bad_queries
   std::size_t matched = 0;  ///< solved, with the recorded optimum; any-angle paths may be shorter
-  std::size_t mismatched =
-      0;  ///< longer, illegal, or no path; at any angle, also shorter than the proven any-angle optimum
+  /// Longer, illegal, or no path; at any angle, also shorter than the proven any-angle optimum.
+  std::size_t mismatched = 0;
   std::size_t bad_queries =
       0;                ///< out of bounds, a blocked end, another map size, or a legal path below the optimum
   double setup_us = 0;  ///< binding the planner to the map, once

@@ -2,11 +2,11 @@
 //
 // meta      name and value: campaign, toml, hash, seed, trials
 // scenario  what trials share about their question
-// reference what gaps count from, in cell edges, per scenario and track; null where there is proven to be
-// none question  what the map and the query of a scenario are; written when a run begins feature   name and
-// value of a scenario's features, in long form: a new feature needs no new column planner   what trials share
-// about their player, its budget included trial     one slim row per trial; `number` counts in order of
-// insertion; `steps` to `world_hash` are null
+// reference what gaps count from, in cell edges, per scenario and track; null where there is proven no way
+// question  what the map and the query of a scenario are; written when a run begins
+// feature   name and value of a scenario's features, in long form: a new feature needs no new column
+// planner   what trials share about their player, its budget included
+// trial     one slim row per trial; `number` counts in order of insertion; `steps` to `world_hash` are null
 //           but for runs through dynamic worlds
 // answer    the path, the anytime trace and the counters of a trial, as text
 // trials    a view that joins scenario, planner and trial into the columns of trials.csv
