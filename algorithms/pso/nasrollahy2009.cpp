@@ -85,14 +85,19 @@ class StepSwarm {
     const Stream stream = context.stream.fork(k);
     const Momentum pace = momentum(settings_, k, static_cast<std::size_t>(settings_.iterations));
     const auto threads = static_cast<std::size_t>(context.executor.threads());
-    for_each_index(context.executor, batch, (swarm_.size() + threads - 1) / threads, [&](std::size_t i) {
-      if (k == 0) {
-        compass_.place(swarm_.position(i), swarm_.velocity(i), swarm_.box(), stream.fork(i));
-      } else {
-        swarm_.move(i, pace, stream.fork(i));
-        compass_.project(swarm_.position(i), stream.fork(i));
+    const std::size_t groups = (batch + Swarm::abreast - 1) / Swarm::abreast;
+    for_each_index(context.executor, groups, (groups + threads - 1) / threads, [&](std::size_t group) {
+      const std::size_t first = group * Swarm::abreast;
+      const std::size_t count = std::min(Swarm::abreast, batch - first);
+      if (k > 0) swarm_.move(first, count, pace, stream);
+      for (std::size_t i = first; i < first + count; ++i) {
+        if (k == 0) {
+          compass_.place(swarm_.position(i), swarm_.velocity(i), swarm_.box(), stream.fork(i));
+        } else {
+          compass_.project(swarm_.position(i), stream.fork(i));
+        }
+        swarm_.judge(i, cost(place(swarm_.position(i))));
       }
-      swarm_.judge(i, cost(place(swarm_.position(i))));
     });
     context.meter.spend_evaluations(batch);
     context.meter.spend_checks(batch * judge_.checks());

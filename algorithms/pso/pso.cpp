@@ -94,15 +94,20 @@ class WaypointSearch {
                       Executor& executor) {
     const Momentum pace = momentum(settings_, k, static_cast<std::size_t>(settings_.life));
     const auto threads = static_cast<std::size_t>(executor.threads());
-    for_each_index(executor, batch, (batch + threads - 1) / threads, [&](std::size_t i) {
+    const std::size_t groups = (batch + Swarm::abreast - 1) / Swarm::abreast;
+    for_each_index(executor, groups, (groups + threads - 1) / threads, [&](std::size_t group) {
+      const std::size_t first = group * Swarm::abreast;
+      const std::size_t count = std::min(Swarm::abreast, batch - first);
       if (k == 0) {
-        nursery_.place(swarm, i, stream.fork(i));
+        for (std::size_t i = first; i < first + count; ++i) nursery_.place(swarm, i, stream.fork(i));
       } else {
-        swarm.move(i, pace, stream.fork(i));
+        swarm.move(first, count, pace, stream);
       }
-      const WaypointVerdict verdict = cost_.judge(swarm.position(i));
-      swarm.judge(i, verdict.length + penalty_ * verdict.walls);
-      verdicts_[i] = verdict;
+      for (std::size_t i = first; i < first + count; ++i) {
+        const WaypointVerdict verdict = cost_.judge(swarm.position(i));
+        swarm.judge(i, verdict.length + penalty_ * verdict.walls);
+        verdicts_[i] = verdict;
+      }
     });
   }
 

@@ -2,9 +2,60 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <utility>
 
+#include "algorithms/aco/draws.hpp"
+
 namespace pathrace::algorithms {
+namespace {
+
+constexpr std::size_t block = 16;  // coordinates of a particle that move together
+
+// The share in [0, 1) of a whole number below 2^32. Its bits go under those of 2^52: a vector instruction
+// does that, where there is none to make floating point numbers of 64 bits.
+double share_of(std::uint64_t bits) {
+  constexpr double base = 0x1.0p52;
+  return (std::bit_cast<double>(std::bit_cast<std::uint64_t>(base) | bits) - base) * 0x1.0p-32;
+}
+
+// By value: references would keep the loop from becoming vectors.
+double clipped(double value, double low, double high) {
+  const double raised = value < low ? low : value;
+  return high < raised ? high : raised;
+}
+
+struct Pulls {
+  double c1;
+  double c2;
+  const double* own;
+  const double* best;
+  const std::uint64_t* draws;  // each gives r1 and r2, 32 bits each
+};
+
+struct Limits {
+  const double* low;
+  const double* high;
+  const double* speed;
+};
+
+// Equations (1) to (3), for a block of coordinates of one particle.
+void follow(const Pulls& pulls, const Momentum& momentum, const Limits& limits, std::size_t count,
+            double* __restrict v, double* __restrict x) {
+  const auto [c1, c2, own, best, draws] = pulls;
+  const auto [low, high, fastest] = limits;
+  const auto [inertia, scale] = momentum;
+  for (std::size_t d = 0; d < count; ++d) {
+    const double r1 = share_of(draws[d] >> 32);
+    const double r2 = share_of(draws[d] & 0xFFFFFFFFU);
+    const double pull = c1 * r1 * (own[d] - x[d]) + c2 * r2 * (best[d] - x[d]);
+    const double speed = clipped(scale * (inertia * v[d] + pull), -fastest[d], fastest[d]);
+    v[d] = speed;
+    x[d] = clipped(x[d] + speed, low[d], high[d]);
+  }
+}
+
+}  // namespace
 
 Swarm::Swarm(const SwarmSettings& settings, SwarmBox box) : settings_(settings), box_(std::move(box)) {
   const auto particles = static_cast<std::size_t>(settings.particles);
@@ -28,7 +79,9 @@ std::size_t Swarm::guide_of(std::size_t i) const {
   if (settings_.topology == Topology::global || 2 * reach + 1 >= size()) return leader_;
   std::size_t guide = i;
   for (std::size_t step = 1; step <= reach; ++step) {
-    for (const std::size_t other : {(i + step) % size(), (i + size() - step) % size()}) {
+    const std::size_t after = i + step < size() ? i + step : i + step - size();
+    const std::size_t before = i >= step ? i - step : i + size() - step;
+    for (const std::size_t other : {after, before}) {
       const bool better = best_costs_[other] < best_costs_[guide];
       if (better || (best_costs_[other] == best_costs_[guide] && other < guide)) guide = other;
     }
@@ -36,35 +89,34 @@ std::size_t Swarm::guide_of(std::size_t i) const {
   return guide;
 }
 
-// In blocks, so that the draws stay scalar and the arithmetic becomes vectors. One draw gives r1 and r2, 32
-// bits each.
-void Swarm::move(std::size_t i, const Momentum& momentum, Stream stream) {
-  constexpr std::size_t block = 16;
-  std::array<double, block> own_pull;
-  std::array<double, block> guide_pull;
-  const std::size_t dims = dimensions();
-  double* const x = positions_.data() + i * dims;
-  double* const v = velocities_.data() + i * dims;
-  const double* const own = bests_.data() + i * dims;
-  const double* const guide = bests_.data() + guide_of(i) * dims;
-  const double* const low = box_.low.data();
-  const double* const high = box_.high.data();
-  const double* const fastest = box_.max_speed.data();
-  for (std::size_t begin = 0; begin < dims; begin += block) {
-    const std::size_t count = std::min(block, dims - begin);
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::uint64_t bits = stream.bits();
-      own_pull[k] = settings_.c1 * (static_cast<double>(bits >> 32) * 0x1.0p-32);
-      guide_pull[k] = settings_.c2 * (static_cast<double>(bits & 0xFFFFFFFFU) * 0x1.0p-32);
+// In blocks of coordinates: the draws of all particles side by side, then particle by particle.
+void Swarm::move(std::size_t first, std::size_t count, const Momentum& momentum, const Stream& stream) {
+  static_assert(abreast <= Draws::capacity);
+  Draws draws;
+  std::array<std::size_t, abreast> guides;
+  for (std::size_t k = 0; k < count; ++k) draws.set(k, stream.fork(first + k));
+  for (std::size_t k = 0; k < count; ++k) guides[k] = guide_of(first + k);
+  std::array<std::array<std::uint64_t, block>, abreast> drawn;
+  for (std::size_t begin = 0; begin < dimensions(); begin += block) {
+    const std::size_t some = std::min(block, dimensions() - begin);
+    for (std::size_t d = 0; d < some; ++d) {
+      draws.advance(count);
+      for (std::size_t k = 0; k < count; ++k) drawn[k][d] = draws.bits(k);
     }
     for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t d = begin + k;
-      const double pulls = own_pull[k] * (own[d] - x[d]) + guide_pull[k] * (guide[d] - x[d]);
-      const double speed = momentum.scale * (momentum.inertia * v[d] + pulls);
-      v[d] = std::min(std::max(speed, -fastest[d]), fastest[d]);
-      x[d] = std::min(std::max(x[d] + v[d], low[d]), high[d]);
+      step(first + k, guides[k], begin, {drawn[k].data(), some}, momentum);
     }
   }
+}
+
+// Coordinates from `begin` on, one draw each.
+void Swarm::step(std::size_t i, std::size_t guide, std::size_t begin, std::span<const std::uint64_t> draws,
+                 const Momentum& momentum) {
+  const std::size_t from = i * dimensions() + begin;
+  const Pulls pulls{settings_.c1, settings_.c2, bests_.data() + from,
+                    bests_.data() + guide * dimensions() + begin, draws.data()};
+  const Limits limits{box_.low.data() + begin, box_.high.data() + begin, box_.max_speed.data() + begin};
+  follow(pulls, momentum, limits, draws.size(), velocities_.data() + from, positions_.data() + from);
 }
 
 bool Swarm::learn(std::size_t count) {

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
@@ -31,6 +32,8 @@ struct SwarmBox {
 
 class Swarm {
  public:
+  static constexpr std::size_t abreast = 8;  ///< particles that move side by side
+
   Swarm(const SwarmSettings& settings, SwarmBox box);
 
   std::size_t size() const { return costs_.size(); }
@@ -39,6 +42,10 @@ class Swarm {
 
   std::span<double> position(std::size_t i) { return {positions_.data() + i * dimensions(), dimensions()}; }
   std::span<const double> position(std::size_t i) const { return row(positions_, i); }
+  /// Positions of particles first..first + count - 1, one behind the other.
+  std::span<const double> positions(std::size_t first, std::size_t count) const {
+    return {positions_.data() + first * dimensions(), count * dimensions()};
+  }
   std::span<double> velocity(std::size_t i) { return {velocities_.data() + i * dimensions(), dimensions()}; }
   /// Cost of where the particle is now. Not a number counts as infinite.
   void judge(std::size_t i, double cost) { costs_[i] = cost < infinite ? cost : infinite; }
@@ -46,8 +53,9 @@ class Swarm {
 
   /// Forgets every best; positions and velocities are the caller's to fill.
   void forget();
-  /// Equations (1) to (3) for particle i. Safe for different particles at once.
-  void move(std::size_t i, const Momentum& momentum, Stream stream);
+  /// Equations (1) to (3) for particles first..first + count - 1, count <= abreast; particle i draws from
+  /// stream.fork(i). Safe for different particles at once.
+  void move(std::size_t first, std::size_t count, const Momentum& momentum, const Stream& stream);
   /// Takes the costs of particles 0..count-1 into account. True when the best of the swarm has changed.
   bool learn(std::size_t count);
 
@@ -64,6 +72,8 @@ class Swarm {
     return {rows.data() + i * dimensions(), dimensions()};
   }
   std::size_t guide_of(std::size_t i) const;
+  void step(std::size_t i, std::size_t guide, std::size_t begin, std::span<const std::uint64_t> draws,
+            const Momentum& momentum);
 
   SwarmSettings settings_;
   SwarmBox box_;

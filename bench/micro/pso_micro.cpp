@@ -49,7 +49,7 @@ algorithms::Swarm paths_of(const Scenario& scenario, Paths paths) {
     }
     swarm.learn(swarm.size());
     for (std::size_t i = 0; i < swarm.size(); ++i) {
-      swarm.move(i, algorithms::momentum(settings, k, 50), Stream(2).fork(k).fork(i));
+      swarm.move(i, 1, algorithms::momentum(settings, k, 50), Stream(2).fork(k));
     }
   }
   return swarm;

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace pathrace::algorithms {
 namespace {
@@ -55,9 +57,9 @@ TEST(SwarmMove, WithoutPullsAParticleDriftsByItsInertia) {
   Swarm swarm(settings, box_of(3, 100, 10));
   put(swarm, 0, 1, 4, 0);
   swarm.learn(1);
-  swarm.move(0, {0.5, 1}, Stream(1));
+  swarm.move(0, 1, {0.5, 1}, Stream(1));
   EXPECT_EQ(swarm.position(0)[2], 3);
-  swarm.move(0, {0.5, 0.5}, Stream(2));
+  swarm.move(0, 1, {0.5, 0.5}, Stream(2));
   EXPECT_EQ(swarm.position(0)[2], 3.5);
 }
 
@@ -70,8 +72,8 @@ TEST(SwarmMove, FollowsEquationOneWithFreshNumbersPerCoordinate) {
   swarm.learn(2);
   put(swarm, 0, 20, 3, 9);
   swarm.learn(2);  // particle 0 remembers 10, the swarm -30
-  swarm.move(0, {0.7, 1}, Stream(4));
-  Stream draws(4);
+  swarm.move(0, 1, {0.7, 1}, Stream(4));
+  Stream draws = Stream(4).fork(0);
   for (std::size_t d = 0; d < dimensions; ++d) {
     const std::uint64_t bits = draws.bits();
     const double r1 = std::ldexp(static_cast<double>(bits >> 32), -32);
@@ -81,17 +83,65 @@ TEST(SwarmMove, FollowsEquationOneWithFreshNumbersPerCoordinate) {
   }
 }
 
+// A swarm of 13 particles on a ring, each somewhere else and with other memories.
+Swarm scattered(std::size_t dimensions) {
+  SwarmSettings settings = settings_of(13);
+  settings.topology = Topology::ring;
+  Swarm swarm(settings, box_of(dimensions, 20, 5));
+  for (const std::uint64_t round : {0U, 1U}) {
+    for (std::size_t i = 0; i < swarm.size(); ++i) {
+      Stream stream = Stream(21).fork(round).fork(i);
+      for (double& x : swarm.position(i)) x = 40 * stream.uniform() - 20;
+      for (double& v : swarm.velocity(i)) v = 10 * stream.uniform() - 5;
+      swarm.judge(i, stream.uniform());
+    }
+    swarm.learn(swarm.size());
+  }
+  return swarm;
+}
+
+TEST(SwarmMove, AbreastEachParticleMovesAsEquationOneSaysAndTheOthersStay) {
+  // Around a block of coordinates, and a draw per coordinate from the particle's own stream.
+  for (const std::size_t dimensions : {1U, 2U, 15U, 16U, 18U, 37U}) {
+    for (const auto& [first, count] : {std::pair{0U, 8U}, {8U, 5U}, {3U, 1U}, {6U, 7U}, {2U, 4U}}) {
+      const Swarm before = scattered(dimensions);
+      Swarm swarm = before;
+      swarm.move(first, count, {0.75, 0.5}, Stream(22));
+      for (std::size_t i = 0; i < swarm.size(); ++i) {
+        const bool moves = i >= first && i < first + count;
+        std::size_t guide = i;
+        for (const std::size_t other : {(i + 1) % 13, (i + 12) % 13}) {
+          if (before.best_cost(other) < before.best_cost(guide)) guide = other;
+        }
+        Stream stream = Stream(22).fork(i);
+        for (std::size_t d = 0; d < dimensions; ++d) {
+          const std::uint64_t bits = stream.bits();
+          const double r1 = std::ldexp(static_cast<double>(bits >> 32), -32);
+          const double r2 = std::ldexp(static_cast<double>(bits & 0xFFFFFFFFU), -32);
+          const double x = before.position(i)[d];
+          const double v = Swarm(before).velocity(i)[d];
+          const double pulls =
+              2 * r1 * (before.best_position(i)[d] - x) + 2 * r2 * (before.best_position(guide)[d] - x);
+          const double speed = std::clamp(0.5 * (0.75 * v + pulls), -5.0, 5.0);
+          EXPECT_EQ(swarm.velocity(i)[d], moves ? speed : v) << dimensions << ' ' << i << ' ' << d;
+          EXPECT_EQ(swarm.position(i)[d], moves ? std::clamp(x + speed, -20.0, 20.0) : x);
+        }
+      }
+    }
+  }
+}
+
 TEST(SwarmMove, ClipsSpeedAndPlaceAndKeepsTheVelocity) {
   Swarm swarm(settings_of(2), box_of(4, 10, 3));
   put(swarm, 0, 9, 3, 1);
   put(swarm, 1, -9, 3, 2);
   swarm.learn(2);
-  swarm.move(0, {1, 1}, Stream(1));
+  swarm.move(0, 1, {1, 1}, Stream(1));
   EXPECT_EQ(swarm.position(0)[0], 10);
   EXPECT_EQ(swarm.velocity(0)[0], 3);
   for (std::uint64_t k = 0; k < 50; ++k) {
+    swarm.move(0, 2, {2, 1}, Stream(2).fork(k));
     for (std::size_t i = 0; i < 2; ++i) {
-      swarm.move(i, {2, 1}, Stream(2).fork(k).fork(i));
       for (std::size_t d = 0; d < 4; ++d) {
         EXPECT_LE(std::abs(swarm.velocity(i)[d]), 3);
         EXPECT_LE(std::abs(swarm.position(i)[d]), 10);
@@ -136,7 +186,8 @@ TEST(SwarmTopology, OnARingNewsTravelsOneNeighbourAtATime) {
   for (std::size_t i = 0; i < 9; ++i) put(swarm, i, 10, 0, i == 4 ? 1 : 5);
   swarm.position(4)[0] = -50;
   swarm.learn(9);
-  for (std::size_t i = 0; i < 9; ++i) swarm.move(i, {1, 1}, Stream(8).fork(i));
+  swarm.move(0, 8, {1, 1}, Stream(8));
+  swarm.move(8, 1, {1, 1}, Stream(8));
   for (std::size_t i = 0; i < 9; ++i) {
     const bool near = i == 3 || i == 5;
     EXPECT_EQ(swarm.position(i)[0] < 10, near || i == 4) << i;
@@ -154,7 +205,7 @@ TEST(Swarm, FindsTheBottomOfABowl) {
     }
     for (std::size_t k = 0; k <= 300; ++k) {
       for (std::size_t i = 0; i < swarm.size(); ++i) {
-        if (k > 0) swarm.move(i, momentum(settings, k, 300), Stream(13).fork(k).fork(i));
+        if (k > 0) swarm.move(i, 1, momentum(settings, k, 300), Stream(13).fork(k));
         double sum = 0;
         for (const double x : swarm.position(i)) sum += (x - 7) * (x - 7);
         swarm.judge(i, sum);
