@@ -103,10 +103,10 @@ class WaypointSearch {
       } else {
         swarm.move(first, count, pace, stream);
       }
+      const std::span<WaypointVerdict> verdicts(verdicts_.data() + first, count);
+      cost_.judge(swarm.positions(first, count), verdicts);
       for (std::size_t i = first; i < first + count; ++i) {
-        const WaypointVerdict verdict = cost_.judge(swarm.position(i));
-        swarm.judge(i, verdict.length + penalty_ * verdict.walls);
-        verdicts_[i] = verdict;
+        swarm.judge(i, verdicts_[i].length + penalty_ * verdicts_[i].walls);
       }
     });
   }

@@ -46,7 +46,21 @@ class Descent {
 
 }  // namespace
 
-WallMap::WallMap(const OccupancyGrid& grid) : rows_(grid, false), columns_(grid, true) {}
+WallMap::WallMap(const OccupancyGrid& grid) : rows_(grid, false), columns_(grid, true) {
+  if (RowChanges::cover(grid)) changes_.emplace(grid);
+}
+
+void WallMap::cross(const RowChanges::Points& from, const RowChanges::Points& to, std::size_t count,
+                    RowChanges::Sums& sums) const {
+  const std::uint32_t asked = (1U << count) - 1;
+  std::uint32_t left = asked & (changes_ ? changes_->cross(from, to, sums) : asked);
+  for (; left != 0; left &= left - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(left));
+    const Crossing crossing = cross({from.x[k], from.y[k]}, {to.x[k], to.y[k]});
+    sums.walls[k] += crossing.walls;
+    sums.cells[k] += crossing.cells;
+  }
+}
 
 Crossing WallMap::cross(Tick from, Tick to) const {
   const std::int32_t dx = std::abs(to.x - from.x);

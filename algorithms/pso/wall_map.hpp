@@ -11,13 +11,16 @@
 //
 // Encoding: a bit per cell, row by row. A segment crosses a row of cells in one interval, whose blocked cells
 // are counted a word at a time. Segments steeper than 45 degrees go over the transposed map, so that they
-// have few rows, too.
+// have few rows, too. On small maps several segments abreast are looked up where they go from row to row
+// (row_changes.hpp); only those that come too close to a line for that go row by row.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "algorithms/pso/row_changes.hpp"
 #include "core/cell.hpp"
 #include "core/grid.hpp"
 
@@ -55,6 +58,9 @@ class WallMap {
 
   /// Both ends inside the map or on its border. A segment without length meets nothing.
   Crossing cross(Tick from, Tick to) const;
+  /// Segments abreast: adds what those of lanes 0..count-1 meet to their sums.
+  void cross(const RowChanges::Points& from, const RowChanges::Points& to, std::size_t count,
+             RowChanges::Sums& sums) const;
 
  private:
   // The map as its rows; the transposed map has the columns for rows.
@@ -85,6 +91,7 @@ class WallMap {
 
   Rows rows_;
   Rows columns_;
+  std::optional<RowChanges> changes_;  // of a map that they cover
 };
 
 }  // namespace pathrace::algorithms

@@ -5,12 +5,13 @@
 // where `walls` counts, over all segments, the blocked cells entered (and what else the any-angle rule
 // forbids, see wall_map.hpp). A particle of W way-points has 2 W coordinates in cell edges: x_1..x_W, then
 // y_1..y_W. The path that is judged, and answered with, has its way-points rounded to ticks.
+//
+// Particles are judged abreast, the k-th segments of all of them at once.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "algorithms/pso/wall_map.hpp"
 #include "core/path.hpp"
@@ -26,12 +27,14 @@ struct WaypointVerdict {
 class WaypointCost {
  public:
   static constexpr std::size_t max_waypoints = 62;
+  static constexpr std::size_t abreast = RowChanges::lanes;
 
   /// The walls outlive the cost.
   WaypointCost(const WallMap& walls, Cell start, Cell goal) : walls_(walls), start_(start), goal_(goal) {}
 
-  /// Way-points inside the map.
-  WaypointVerdict judge(std::span<const double> coordinates) const;
+  /// Of 1..abreast particles, as many as there are verdicts, whose coordinates follow each other, all of one
+  /// length. Way-points inside the map.
+  void judge(std::span<const double> coordinates, std::span<WaypointVerdict> verdicts) const;
   /// The path that was judged, without points that repeat the one before.
   Path path(std::span<const double> coordinates) const;
 

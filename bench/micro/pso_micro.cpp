@@ -22,12 +22,21 @@ namespace {
 using algorithms::Birth;
 
 constexpr std::size_t waypoints = 8;
+constexpr std::size_t abreast = algorithms::Swarm::abreast;
 
 Scenario dense() {
   return scenarios::Library().load("dense/20-20/1");
 }
 
 enum class Paths { uniform, line, evolved };
+
+using Verdicts = std::vector<algorithms::WaypointVerdict>;
+
+void judge_all(const algorithms::WaypointCost& judge, const algorithms::Swarm& swarm, Verdicts& verdicts) {
+  for (std::size_t i = 0; i < swarm.size(); i += abreast) {
+    judge.judge(swarm.positions(i, abreast), std::span(verdicts).subspan(i, abreast));
+  }
+}
 
 algorithms::Swarm paths_of(const Scenario& scenario, Paths paths) {
   algorithms::SwarmSettings settings;
@@ -42,14 +51,15 @@ algorithms::Swarm paths_of(const Scenario& scenario, Paths paths) {
   if (paths != Paths::evolved) return swarm;
   const algorithms::WallMap walls(scenario.grid());
   const algorithms::WaypointCost judge(walls, scenario.start, scenario.goal);
+  Verdicts verdicts(swarm.size());
   for (std::uint64_t k = 0; k < 50; ++k) {
+    judge_all(judge, swarm, verdicts);
     for (std::size_t i = 0; i < swarm.size(); ++i) {
-      const algorithms::WaypointVerdict verdict = judge.judge(swarm.position(i));
-      swarm.judge(i, verdict.length + 40 * verdict.walls);
+      swarm.judge(i, verdicts[i].length + 40 * verdicts[i].walls);
     }
     swarm.learn(swarm.size());
-    for (std::size_t i = 0; i < swarm.size(); ++i) {
-      swarm.move(i, 1, algorithms::momentum(settings, k, 50), Stream(2).fork(k));
+    for (std::size_t i = 0; i < swarm.size(); i += abreast) {
+      swarm.move(i, abreast, algorithms::momentum(settings, k, 50), Stream(2).fork(k));
     }
   }
   return swarm;
@@ -60,8 +70,11 @@ void cost(benchmark::State& state, Paths kind) {
   const algorithms::Swarm swarm = paths_of(scenario, kind);
   const algorithms::WallMap walls(scenario.grid());
   const algorithms::WaypointCost judge(walls, scenario.start, scenario.goal);
+  Verdicts verdicts(swarm.size());
   for (auto _ : state) {
-    for (std::size_t i = 0; i < swarm.size(); ++i) benchmark::DoNotOptimize(judge.judge(swarm.position(i)));
+    judge_all(judge, swarm, verdicts);
+    benchmark::DoNotOptimize(verdicts.data());
+    benchmark::ClobberMemory();
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(swarm.size()));
 }

@@ -22,15 +22,27 @@ Budget evaluations(std::uint64_t count) {
   return budget;
 }
 
+// Of a point that is a whole number of ticks.
+Tick tick_at(Point point) {
+  return {static_cast<std::int32_t>((point.x + 1.5) * ticks_per_cell),
+          static_cast<std::int32_t>((point.y + 1.5) * ticks_per_cell)};
+}
+
+WaypointVerdict alone(const WaypointCost& cost, std::span<const double> coordinates) {
+  WaypointVerdict verdict;
+  cost.judge(coordinates, {&verdict, 1});
+  return verdict;
+}
+
 TEST(WaypointCost, IsTheLengthAndTheWallsOfThePolyline) {
   const WallMap walls(grid_of({".....", "..#..", "..#.."}));
   const WaypointCost cost(walls, {0, 2}, {4, 2});
   const std::vector<double> across = {1, 3, 2, 2};  // x of both way-points, then y
-  EXPECT_EQ(cost.judge(across).length, 4);
-  EXPECT_EQ(cost.judge(across).walls, 1U);
+  EXPECT_EQ(alone(cost, across).length, 4);
+  EXPECT_EQ(alone(cost, across).walls, 1U);
   const std::vector<double> around = {1, 3, 0, 0};
-  EXPECT_DOUBLE_EQ(cost.judge(around).length, 2 + 2 * std::sqrt(5.0));
-  EXPECT_EQ(cost.judge(around).walls, 0U);
+  EXPECT_DOUBLE_EQ(alone(cost, around).length, 2 + 2 * std::sqrt(5.0));
+  EXPECT_EQ(alone(cost, around).walls, 0U);
   EXPECT_EQ(cost.path(around).points, (std::vector<Point>{{0, 2}, {1, 0}, {3, 0}, {4, 2}}));
 }
 
@@ -39,6 +51,45 @@ TEST(WaypointCost, RoundsWaypointsToTicksAndDropsRepeatedPoints) {
   const WaypointCost cost(walls, {0, 0}, {3, 0});
   const std::vector<double> rough = {0.0001, 1.50001, 1.4999, 0, 0, 0};
   EXPECT_EQ(cost.path(rough).points, (std::vector<Point>{{0, 0}, {1.5, 0}, {3, 0}}));
+}
+
+TEST(WaypointCost, AbreastEachPathHasTheLengthAndTheWallsOfItsOwnSegments) {
+  for (std::uint64_t map = 0; map < 40; ++map) {
+    Stream stream = Stream(41).fork(map);
+    // Every fourth map is too wide, or too high, for segments abreast.
+    const int width = map % 4 == 2 ? 70 : stream.between(1, 30);
+    const int height = map % 4 == 3 ? 70 : stream.between(1, 30);
+    const OccupancyGrid grid = testing::random_grid(stream.fork("map"), width, height, 0.3);
+    const WallMap walls(grid);
+    const WaypointCost cost(walls, {0, 0}, {width - 1, height - 1});
+    for (const std::size_t waypoints : {1U, 2U, 8U, 62U}) {
+      const auto count = static_cast<std::size_t>(stream.between(1, 8));
+      std::vector<double> coordinates;
+      for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t k = 0; k < waypoints; ++k) coordinates.push_back((width - 1) * stream.uniform());
+        for (std::size_t k = 0; k < waypoints; ++k) coordinates.push_back((height - 1) * stream.uniform());
+      }
+      std::vector<WaypointVerdict> verdicts(count);
+      cost.judge(coordinates, verdicts);
+      for (std::size_t i = 0; i < count; ++i) {
+        const std::span row = std::span(coordinates).subspan(2 * waypoints * i, 2 * waypoints);
+        const std::vector<Point> points = cost.path(row).points;
+        double ticks = 0;
+        Crossing sum;
+        for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+          const Tick from = tick_at(points[k]);
+          const Tick to = tick_at(points[k + 1]);
+          const double dx = to.x - from.x;
+          const double dy = to.y - from.y;
+          ticks += std::sqrt(dx * dx + dy * dy);
+          sum.walls += walls.cross(from, to).walls;
+          sum.cells += walls.cross(from, to).cells;
+        }
+        EXPECT_EQ(verdicts[i].length, ticks / ticks_per_cell) << map;
+        EXPECT_EQ((Crossing{verdicts[i].walls, verdicts[i].cells}), sum) << map;
+      }
+    }
+  }
 }
 
 TEST(WaypointNursery, BirthplacesKeepToTheMapAndToTheirScatter) {
