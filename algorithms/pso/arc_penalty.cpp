@@ -33,8 +33,8 @@ struct Foot {
   bool crosses;  // and between the leg's ends
 };
 
-// Without branches, so that a loop over discs becomes vectors. A leg of no length crosses nothing.
-inline Foot foot_of(const Leg& leg, double x, double y, double radius) {
+// A leg of no length crosses nothing.
+Foot foot_of(const Leg& leg, double x, double y, double radius) {
   constexpr double tangent = 1e-12;  // of the squared radius: half chords below a millionth of it
   const Point at{leg.from.x - x, leg.from.y - y};
   const double towards = -(at.x * leg.way.x + at.y * leg.way.y);
@@ -43,6 +43,18 @@ inline Foot foot_of(const Leg& leg, double x, double y, double radius) {
   const double half2 = radius * radius - (middle.x * middle.x + middle.y * middle.y);
   const bool crosses = (towards > 0) & (towards < leg.length2) & (half2 > tangent * radius * radius);
   return {middle.x, middle.y, half2, crosses};
+}
+
+// True wherever foot_of crosses, and hardly anywhere else; without branches and divisions, so that a loop
+// over discs becomes vectors. The line's distance is the cross product over the leg's length. Rounding moves
+// it, and foot_of's middle, by less than 1e-14 of the way from the leg's start to the centre: much less than
+// the room that is given here, of 1e-5 of the squared radius and 1e-12 of that squared way.
+inline bool may_cross(const Leg& leg, double x, double y, double radius) {
+  const Point at{leg.from.x - x, leg.from.y - y};
+  const double towards = -(at.x * leg.way.x + at.y * leg.way.y);
+  const double across = at.x * leg.way.y - at.y * leg.way.x;
+  const double room = 1.00001 * (radius * radius) + 1e-12 * (at.x * at.x + at.y * at.y);
+  return (towards > 0) & (towards < leg.length2) & (across * across <= leg.length2 * room);
 }
 
 // Counter-clockwise from `begin` over `span`.
@@ -145,7 +157,7 @@ double LegJudge::legs(const Obstacle& obstacle, Point particle) const {
   return sum;
 }
 
-// Which discs of the block have a price at all; most have none. A particle deeper in a disc than rounding is
+// Which discs of the block may have a price; most have none. A particle deeper in a disc than rounding is
 // nearer to its centre than its radius.
 LegJudge::Marks LegJudge::met(std::size_t begin, Point particle) const {
   const Leg step(snapshot_.robot, particle);
@@ -158,9 +170,9 @@ LegJudge::Marks LegJudge::met(std::size_t begin, Point particle) const {
     const double dx = particle.x - x[k];
     const double dy = particle.y - y[k];
     const bool inside = dx * dx + dy * dy < radius[k] * radius[k];
-    const Foot of_step = foot_of(step, x[k], y[k], radius[k]);
-    const Foot of_rest = foot_of(rest, x[k], y[k], radius[k]);
-    marks[k] = std::uint64_t{inside} | std::uint64_t{of_step.crosses} | std::uint64_t{of_rest.crosses};
+    const bool on_step = may_cross(step, x[k], y[k], radius[k]);
+    const bool on_rest = may_cross(rest, x[k], y[k], radius[k]);
+    marks[k] = std::uint64_t{inside} | std::uint64_t{on_step} | std::uint64_t{on_rest};
   }
   return marks;
 }
@@ -169,7 +181,10 @@ double LegJudge::penalty(Point particle) const {
   double sum = 0;
   for (std::size_t begin = 0; begin < radius_.size(); begin += block) {
     const Marks marks = met(begin, particle);
-    for (std::size_t k = 0; k < block; ++k) {
+    std::uint64_t any = 0;
+    for (const std::uint64_t mark : marks) any |= mark;
+    if (any == 0) continue;
+    for (std::size_t k = 0; k < std::min(block, obstacles_.size() - begin); ++k) {
       if (marks[k] != 0) sum += legs(obstacles_[begin + k], particle);
     }
   }

@@ -76,7 +76,7 @@ class LegJudge {
 
   const Snapshot& snapshot_;
   std::vector<Obstacle> obstacles_;
-  // Of the obstacles, for vectors; filled up to a whole block with discs of radius 0, which nothing meets.
+  // Of the obstacles, for vectors; filled up to a whole block.
   std::vector<double> x_;
   std::vector<double> y_;
   std::vector<double> radius_;

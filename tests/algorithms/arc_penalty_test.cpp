@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "core/stream.hpp"
 
@@ -93,6 +96,49 @@ TEST(ArcPenalty, OfManyDiscsApartIsTheSumOfEachAlone) {
     most = std::max(most, expected);
   }
   EXPECT_GT(most, 1e6);  // particles inside discs among them
+}
+
+// One disc, asked about each leg without the sieve for many.
+double plain_penalty(const Disc& disc, Point robot, Point particle, Point goal, double barrier) {
+  const Obstacle obstacle = grow(std::vector{disc}, 0, {1e6, 1e6}, touching)[0];
+  if (const double depth = depth_in(obstacle, particle); depth > 0) return barrier + depth;
+  double sum = 0;
+  for (const auto& [from, to, end] : {std::array{robot, particle, robot}, {particle, goal, goal}}) {
+    const std::optional<Chord> found = chord(from, to, disc.centre, disc.radius);
+    if (found && depth_in(obstacle, end) == 0) sum += std::min(barrier, way_around(obstacle, *found));
+  }
+  return sum;
+}
+
+TEST(ArcPenalty, ADiscThatALegAllButTouchesCountsByTheHeightOfItsChord) {
+  constexpr double barrier = 1e6;
+  int crossed = 0;
+  int missed = 0;
+  for (std::uint64_t trial = 0; trial < 20'000; ++trial) {
+    Stream stream = Stream(61).fork(trial);
+    const auto anywhere = [&] { return Point{40 + 20 * stream.uniform(), 40 + 20 * stream.uniform()}; };
+    const Point robot = anywhere();
+    const Point particle = anywhere();
+    const Point goal = anywhere();
+    // A disc beside a place of either leg, whose edge is 10^-1 to 10^-16 radii before or behind the leg.
+    const Point from = trial % 2 == 0 ? robot : particle;
+    const Point to = trial % 2 == 0 ? particle : goal;
+    const Point way{to.x - from.x, to.y - from.y};
+    const double radius = std::pow(10, -4 + 5 * stream.uniform());
+    const double hair = (stream.chance(0.5) ? 1 : -1) * std::pow(10, -1 - 15 * stream.uniform());
+    const double beside = radius * (1 + hair) / std::hypot(way.x, way.y);
+    const double along = stream.uniform();
+    const Disc disc{{from.x + along * way.x - beside * way.y, from.y + along * way.y + beside * way.x},
+                    radius};
+    const Snapshot snapshot = snapshot_of(robot, goal);
+    const LegJudge judge(snapshot, grow(std::vector{disc}, 0, {1e6, 1e6}, touching),
+                         {barrier, StepAcross::arc});
+    const double expected = plain_penalty(disc, robot, particle, goal, barrier);
+    ASSERT_EQ(judge.penalty(particle), expected) << trial;
+    (expected > 0 ? crossed : missed) += 1;
+  }
+  EXPECT_GT(crossed, 5000);
+  EXPECT_GT(missed, 5000);
 }
 
 TEST(ArcPenalty, AStepAcrossADiscMayBeBarred) {
