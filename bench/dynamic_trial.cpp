@@ -117,14 +117,8 @@ void judge(const World& world, std::uint64_t seen, const Meter& meter, TrialReco
   }
 }
 
-}  // namespace
-
-TrialRecord run_dynamic_trial(const Entrant& entrant, const World& world, const Budget& budget,
-                              const Stream& stream, Executor& executor, const WatchStep& watch) {
-  TrialRecord record;
-  Meter meter(budget);
-  executor.restart_census();
-  Run run(world, stream, executor, meter, watch);
+// True when the navigator drove to the end of the run.
+bool call_navigator(const Entrant& entrant, Run& run, TrialRecord& record) {
   const Clock::time_point begin = Clock::now();
   bool came_back = false;
   guarded(record, [&] {
@@ -135,6 +129,19 @@ TrialRecord run_dynamic_trial(const Entrant& entrant, const World& world, const 
     came_back = true;
   });
   record.costs.wall_s = seconds_since(begin);
+  return came_back;
+}
+
+}  // namespace
+
+TrialRecord run_dynamic_trial(const Entrant& entrant, const World& world, const Budget& budget,
+                              const Stream& stream, Executor& executor, const WatchStep& watch) {
+  TrialRecord record;
+  Meter meter(budget);
+  executor.restart_census();
+  Run run(world, stream, executor, meter, watch);
+  bool came_back = false;
+  executor.with_team([&] { came_back = call_navigator(entrant, run, record); });
   record.work = meter.work();
   record.trace = meter.trace();
   record.counters = meter.counters();

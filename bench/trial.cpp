@@ -68,7 +68,7 @@ TrialRecord run_trial(const Entrant& entrant, const Scenario& scenario, const Re
   Meter meter(budget);
   Context context{stream, executor, meter, overlay};
   executor.restart_census();
-  call_planner(entrant, scenario, context, record);
+  executor.with_team([&] { call_planner(entrant, scenario, context, record); });
   record.work = meter.work();
   record.trace = meter.trace();
   record.counters = meter.counters();

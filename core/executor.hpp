@@ -9,6 +9,7 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string_view>
 #include <type_traits>
@@ -70,6 +71,10 @@ class Executor {
   void run(std::size_t count, std::size_t grain, ChunkBody body) {
     if (count > 0) run_chunks(count, std::max<std::size_t>(1, grain), body);
   }
+
+  /// Calls `body` once, on the calling thread, and keeps the other threads at hand for the loops that it
+  /// runs: who runs many short ones pays for gathering threads once. An exception of the body comes out.
+  virtual void with_team(const std::function<void()>& body) { body(); }
 
  protected:
   virtual void run_chunks(std::size_t count, std::size_t grain, ChunkBody body) = 0;

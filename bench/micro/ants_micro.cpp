@@ -36,12 +36,14 @@ void colony(benchmark::State& state, const std::string& call, const std::string&
   Budget budget;
   budget.iterations = iterations_on(side);
   std::uint64_t decisions = 0;
-  for (auto _ : state) {
-    Meter meter(budget);
-    Context context{Stream(1), *executor, meter};
-    benchmark::DoNotOptimize(planner->plan(scenario.start, scenario.goal, context));
-    decisions += meter.work().checks;
-  }
+  executor->with_team([&] {
+    for (auto _ : state) {
+      Meter meter(budget);
+      Context context{Stream(1), *executor, meter};
+      benchmark::DoNotOptimize(planner->plan(scenario.start, scenario.goal, context));
+      decisions += meter.work().checks;
+    }
+  });
   state.SetItemsProcessed(static_cast<std::int64_t>(decisions));
 }
 

@@ -35,7 +35,9 @@ Answer evolve_once(const Scenario& scenario, const std::string& call, Executor& 
 void ga(benchmark::State& state, const char* map, const std::string& call, const std::string& backend) {
   const Scenario scenario = scenarios::Library().load(map);
   const std::unique_ptr<Executor> executor = make_executor(backend, static_cast<int>(state.range(0)));
-  for (auto _ : state) benchmark::DoNotOptimize(evolve_once(scenario, call, *executor));
+  executor->with_team([&] {
+    for (auto _ : state) benchmark::DoNotOptimize(evolve_once(scenario, call, *executor));
+  });
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(evaluations));
 }
 

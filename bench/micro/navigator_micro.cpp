@@ -28,13 +28,15 @@ void step(benchmark::State& state, const char* id, const std::string& call, cons
   const Entrant entrant = roster().enter(parse_call(call));
   const std::unique_ptr<Executor> executor = make_executor(backend, static_cast<int>(state.range(0)));
   std::uint64_t evaluations = 0;
-  for (auto _ : state) {
-    const std::unique_ptr<Navigator> navigator = entrant.card->make_navigator(entrant.values)();
-    Meter meter{Budget{}};
-    Context context{Stream(1), *executor, meter};
-    benchmark::DoNotOptimize(navigator->next(snapshot, context));
-    evaluations += meter.work().evaluations;
-  }
+  executor->with_team([&] {
+    for (auto _ : state) {
+      const std::unique_ptr<Navigator> navigator = entrant.card->make_navigator(entrant.values)();
+      Meter meter{Budget{}};
+      Context context{Stream(1), *executor, meter};
+      benchmark::DoNotOptimize(navigator->next(snapshot, context));
+      evaluations += meter.work().evaluations;
+    }
+  });
   const bool swarms = call.starts_with("nasrollahy2009");
   state.SetItemsProcessed(swarms ? static_cast<std::int64_t>(evaluations) : state.iterations());
 }
