@@ -96,7 +96,19 @@ void Trail::change_along(std::size_t index, const std::vector<std::uint8_t>& dir
   }
 }
 
-// The hot form of `change`, for alpha = 1, where strength and stored tau are the same.
+template <bool both_ways, typename Change>
+void Trail::for_each_strength(std::size_t index, const std::vector<std::uint8_t>& directions,
+                              const Change& change) {
+  TrailRow* row = &rows_[index];
+  for (const std::uint8_t direction : directions) {
+    change(row->strength[direction]);
+    row += moves_.offset(direction);
+    if (both_ways) change(row->strength[direction ^ 4U]);
+  }
+}
+
+// The hot form of `change`, for alpha = 1, where strength and stored tau are the same. What is only added to
+// cannot fall below the lower limit.
 template <bool both_ways>
 void Trail::change_strengths(std::size_t index, const std::vector<std::uint8_t>& directions, double factor,
                              double amount) {
@@ -104,15 +116,13 @@ void Trail::change_strengths(std::size_t index, const std::vector<std::uint8_t>&
   const float most = most_;
   const auto kept = static_cast<float>(factor);
   const auto added = static_cast<float>(amount / scale_);
-  const auto change = [=](float& tau) {
-    tau = std::min(std::max(std::max(tau, least) * kept + added, least), most);
-  };
-  TrailRow* row = &rows_[index];
-  for (const std::uint8_t direction : directions) {
-    change(row->strength[direction]);
-    row += moves_.offset(direction);
-    if (both_ways) change(row->strength[direction ^ 4U]);
+  if (kept == 1 && added >= 0) {
+    return for_each_strength<both_ways>(
+        index, directions, [=](float& tau) { tau = std::min(std::max(tau, least) + added, most); });
   }
+  for_each_strength<both_ways>(index, directions, [=](float& tau) {
+    tau = std::min(std::max(std::max(tau, least) * kept + added, least), most);
+  });
 }
 
 void Trail::reset(double value) {

@@ -91,6 +91,10 @@ class Trail {
   template <bool both_ways>
   void change_strengths(std::size_t index, const std::vector<std::uint8_t>& directions, double factor,
                         double amount);
+  /// Calls `change(strength)` on each step of the path, and on each step back when `both_ways`.
+  template <bool both_ways, typename Change>
+  void for_each_strength(std::size_t index, const std::vector<std::uint8_t>& directions,
+                         const Change& change);
   void rescale();
   /// Multiplies every tau out, within the limits; the scale is 1 afterwards.
   void rewrite(double persistence = 1);
