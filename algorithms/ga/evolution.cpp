@@ -6,9 +6,9 @@
 namespace pathrace::algorithms {
 namespace {
 
-// A parallel region costs 1 to 60 microseconds (performance.md 2), a cell about 5 nanoseconds: chunks that
+// A loop on threads that are at hand costs about a microsecond, a cell about 5 nanoseconds: chunks that
 // handle fewer cells are not worth a thread.
-constexpr std::uint64_t least_cells_per_chunk = 2000;
+constexpr std::uint64_t least_cells_per_chunk = 500;
 
 std::size_t capacity_on(const GeneMap& map, int population) {
   return std::min(map.inner().size() + 2,
