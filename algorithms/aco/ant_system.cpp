@@ -25,7 +25,7 @@ class AntSystem final : public PheromoneRule {
 
   void learn(Colony& colony, const Harvest& harvest) override {
     colony.trail().evaporate(1 - settings().evaporation);
-    deposit_all(colony, harvest.count);
+    colony.deposit_all(harvest.count);
   }
 };
 

@@ -23,6 +23,8 @@ Trail::Heuristic heuristic(const ColonySettings& settings, const Nest& nest) {
   };
 }
 
+constexpr std::size_t steps_worth_sharing = 8192;  // some thirty microseconds of deposits
+
 std::uint64_t max_steps(const ColonySettings& settings, const Nest& nest) {
   if (settings.max_steps > 0) return static_cast<std::uint64_t>(settings.max_steps);
   return 20 * static_cast<std::uint64_t>(nest.free_cells());
@@ -34,18 +36,13 @@ void PheromoneRule::begin(Colony& colony) {
   colony.trail().limit(settings_.pheromone_floor, Trail::no_limit);
 }
 
-void PheromoneRule::deposit_all(Colony& colony, std::size_t count) const {
-  for (std::size_t k = 0; k < count; ++k) {
-    if (colony.walks()[k].arrived) colony.deposit(colony.walks()[k], amount(colony.walks()[k]));
-  }
-}
-
 Colony::Colony(PheromoneRule& rule, const Problem& problem)
     : rule_(rule),
       settings_(rule.settings()),
       problem_(problem),
       nest_(problem),
-      walks_(static_cast<std::size_t>(settings_.ants)) {
+      walks_(static_cast<std::size_t>(settings_.ants)),
+      amounts_(walks_.size()) {
   trail_.emplace(nest_.moves(), 1.0, settings_.alpha, settings_.beta, heuristic(settings_, nest_));
   ground_.emplace(ground_on(*trail_));
 }
@@ -62,6 +59,7 @@ Ground Colony::ground_on(const Trail& trail) const {
 
 Answer Colony::run(Context& context) {
   Meter& meter = context.meter;
+  executor_ = &context.executor;
   if (!lay_trail(meter)) return std::nullopt;
   rule_.begin(*this);
   make_walkers(context.executor);
@@ -190,6 +188,28 @@ void Colony::keep_if_better(const Walk& walk, Harvest& harvest, Meter& meter) {
 
 void Colony::deposit(const Walk& walk, double amount) {
   change(walk, 1, amount);
+}
+
+// Few steps are not worth a loop on several threads. Shared out, a step's deposits still come in ant order.
+void Colony::deposit_all(std::size_t count) {
+  std::size_t steps = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    amounts_[k] = walks_[k].arrived ? rule_.amount(walks_[k]) : 0;
+    steps += walks_[k].arrived ? walks_[k].directions.size() : 0;
+  }
+  const std::size_t parts = executor_ == nullptr || steps < steps_worth_sharing
+                                ? 1
+                                : static_cast<std::size_t>(executor_->threads());
+  const std::size_t cells = (nest_.size() + parts - 1) / parts;
+  const auto deposit_within = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = 0; k < count; ++k) {
+      if (!walks_[k].arrived) continue;
+      trail_->change_along({begin, end}, nest_.start(), walks_[k].directions, 1, amounts_[k],
+                           settings_.both_ways);
+    }
+  };
+  if (parts == 1) return deposit_within(0, nest_.size());
+  executor_->run(nest_.size(), cells, deposit_within);
 }
 
 void Colony::change(const Walk& walk, double factor, double amount) {

@@ -48,6 +48,9 @@ class Colony {
   /// Best so far; has arrived once there is one.
   const Walk& best() const { return best_; }
 
+  /// Each of the first `count` ants that arrived adds the rule's amount to the steps of its path, in ant
+  /// order.
+  void deposit_all(std::size_t count);
   /// Adds `amount` to each step of the walk's path.
   void deposit(const Walk& walk, double amount);
   /// tau := factor * tau + amount on each step of the walk's path.
@@ -90,7 +93,9 @@ class Colony {
   std::vector<Walker> walkers_;  // one per thread, or per group
   std::size_t group_size_ = 1;
   std::vector<Walk> walks_;
+  std::vector<double> amounts_;  // a slot per walk
   Walk best_;
+  Executor* executor_ = nullptr;  // of the current run
 };
 
 /// A rule from what it asks for: its settings, and perhaps the problem, and perhaps a stream of its own.

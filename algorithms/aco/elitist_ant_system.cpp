@@ -30,7 +30,7 @@ class ElitistAntSystem final : public PheromoneRule {
 
   void learn(Colony& colony, const Harvest& harvest) override {
     colony.trail().evaporate(1 - settings().evaporation);
-    deposit_all(colony, harvest.count);
+    colony.deposit_all(harvest.count);
     if (elite_ > 0 && colony.best().arrived) colony.deposit(colony.best(), elite_ * amount(colony.best()));
   }
 

@@ -74,8 +74,6 @@ class PheromoneRule {
   /// 1 / (evaporation * length): what one ant's deposits of 1 / length settle at. Evaporation 0 counts as
   /// 1e-6.
   double settled(double length) const { return 1 / (std::max(settings_.evaporation, 1e-6) * length); }
-  /// Every ant that arrived adds its amount, in ant order.
-  void deposit_all(Colony& colony, std::size_t count) const;
 
  private:
   const ColonySettings& settings_;

@@ -29,6 +29,20 @@ std::array<float, direction_count> desirabilities(unsigned mask, std::size_t ind
   return row;
 }
 
+// Calls `visit(cell, direction)` for each step of the path, and for each step back when `both_ways`, that
+// leads out of one of the cells.
+template <bool everywhere, typename Visit>
+void for_each_step_out_of(CellRange cells, const MoveTable& moves, std::size_t index,
+                          const std::vector<std::uint8_t>& directions, bool both_ways, const Visit& visit) {
+  bool inside = everywhere || cells.contains(index);
+  for (const std::uint8_t direction : directions) {
+    if (inside) visit(index, int{direction});
+    index = moves.step(index, direction);
+    inside = everywhere || cells.contains(index);
+    if (both_ways && inside) visit(index, opposite(direction));
+  }
+}
+
 }  // namespace
 
 Trail::Trail(const MoveTable& moves, double initial, double alpha, double beta, const Heuristic& eta)
@@ -84,45 +98,42 @@ void Trail::change(std::size_t index, int direction, double factor, double amoun
   if (!stored_.empty()) rows_[index].strength[static_cast<std::size_t>(direction)] = strength_of(tau);
 }
 
-void Trail::change_along(std::size_t index, const std::vector<std::uint8_t>& directions, double factor,
-                         double amount, bool both_ways) {
+void Trail::change_along(CellRange cells, std::size_t index, const std::vector<std::uint8_t>& directions,
+                         double factor, double amount, bool both_ways) {
   if (stored_.empty()) {
-    return both_ways ? change_strengths<true>(index, directions, factor, amount)
-                     : change_strengths<false>(index, directions, factor, amount);
+    const bool everywhere = cells.end - cells.begin == rows_.size();
+    const auto change = [&]<bool there_and_back>() {
+      everywhere ? change_strengths<there_and_back, true>(cells, index, directions, factor, amount)
+                 : change_strengths<there_and_back, false>(cells, index, directions, factor, amount);
+    };
+    return both_ways ? change.operator()<true>() : change.operator()<false>();
   }
-  for (const std::uint8_t direction : directions) {
-    change(index, direction, factor, amount, both_ways);
-    index = moves_.step(index, direction);
-  }
-}
-
-template <bool both_ways, typename Change>
-void Trail::for_each_strength(std::size_t index, const std::vector<std::uint8_t>& directions,
-                              const Change& change) {
-  TrailRow* row = &rows_[index];
-  for (const std::uint8_t direction : directions) {
-    change(row->strength[direction]);
-    row += moves_.offset(direction);
-    if (both_ways) change(row->strength[direction ^ 4U]);
-  }
+  for_each_step_out_of<false>(
+      cells, moves_, index, directions, both_ways,
+      [&](std::size_t cell, int direction) { change(cell, direction, factor, amount); });
 }
 
 // The hot form of `change`, for alpha = 1, where strength and stored tau are the same. What is only added to
 // cannot fall below the lower limit.
-template <bool both_ways>
-void Trail::change_strengths(std::size_t index, const std::vector<std::uint8_t>& directions, double factor,
-                             double amount) {
+template <bool both_ways, bool everywhere>
+void Trail::change_strengths(CellRange cells, std::size_t index, const std::vector<std::uint8_t>& directions,
+                             double factor, double amount) {
   const float least = least_;
   const float most = most_;
   const auto kept = static_cast<float>(factor);
   const auto added = static_cast<float>(amount / scale_);
+  TrailRow* const rows = rows_.data();
+  const auto walk = [&](const auto& changed) {
+    for_each_step_out_of<everywhere>(cells, moves_, index, directions, both_ways,
+                                     [rows, &changed](std::size_t cell, int direction) {
+                                       float& tau = rows[cell].strength[static_cast<std::size_t>(direction)];
+                                       tau = changed(tau);
+                                     });
+  };
   if (kept == 1 && added >= 0) {
-    return for_each_strength<both_ways>(
-        index, directions, [=](float& tau) { tau = std::min(std::max(tau, least) + added, most); });
+    return walk([=](float tau) { return std::min(std::max(tau, least) + added, most); });
   }
-  for_each_strength<both_ways>(index, directions, [=](float& tau) {
-    tau = std::min(std::max(std::max(tau, least) * kept + added, least), most);
-  });
+  walk([=](float tau) { return std::min(std::max(std::max(tau, least) * kept + added, least), most); });
 }
 
 void Trail::reset(double value) {

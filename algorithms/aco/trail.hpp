@@ -31,6 +31,14 @@ struct alignas(64) TrailRow {
   std::array<float, direction_count> desirability;  ///< (eta / largest eta)^beta, 0 for closed steps
 };
 
+/// The cells begin..end-1.
+struct CellRange {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+
+  bool contains(std::size_t index) const { return index - begin < end - begin; }
+};
+
 class Trail {
  public:
   /// eta of the step in `direction` from the cell with this padded index; positive.
@@ -70,7 +78,13 @@ class Trail {
 
   /// `change` on each step of a path from `index` on.
   void change_along(std::size_t index, const std::vector<std::uint8_t>& directions, double factor,
-                    double amount, bool both_ways);
+                    double amount, bool both_ways) {
+    change_along({0, rows_.size()}, index, directions, factor, amount, both_ways);
+  }
+  /// The same, but only on steps out of these cells. Threads that share the cells out among them may call
+  /// this at the same time: nobody else touches a step that is somebody's.
+  void change_along(CellRange cells, std::size_t index, const std::vector<std::uint8_t>& directions,
+                    double factor, double amount, bool both_ways);
 
   /// Keeps every tau in lower..upper from now on. 0 <= lower <= upper.
   void limit(double lower, double upper);
@@ -88,13 +102,9 @@ class Trail {
   float& stored(std::size_t index, int direction);
   const float& stored(std::size_t index, int direction) const;
   float strength_of(float stored) const;
-  template <bool both_ways>
-  void change_strengths(std::size_t index, const std::vector<std::uint8_t>& directions, double factor,
-                        double amount);
-  /// Calls `change(strength)` on each step of the path, and on each step back when `both_ways`.
-  template <bool both_ways, typename Change>
-  void for_each_strength(std::size_t index, const std::vector<std::uint8_t>& directions,
-                         const Change& change);
+  template <bool both_ways, bool everywhere>
+  void change_strengths(CellRange cells, std::size_t index, const std::vector<std::uint8_t>& directions,
+                        double factor, double amount);
   void rescale();
   /// Multiplies every tau out, within the limits; the scale is 1 afterwards.
   void rewrite(double persistence = 1);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "algorithms/aco/max_min_limits.hpp"
@@ -15,6 +16,7 @@ namespace {
 
 using pathrace::testing::grid_of;
 using pathrace::testing::run;
+using pathrace::testing::run_on;
 
 const std::vector<std::string> variants = {"as", "eas", "as-rank", "mmas", "acs"};
 
@@ -46,6 +48,36 @@ TEST(Colony, EveryVariantAndDeadEndIsTheSameOnEveryExecutorAndNumberOfThreads) {
           EXPECT_EQ(record.counters, expected.counters) << call << ' ' << backend << ' ' << threads;
         }
       }
+    }
+  }
+}
+
+// Says that it has two threads, and runs the chunks of a loop last to first.
+class BackwardsExecutor final : public Executor {
+ public:
+  std::string_view name() const override { return "backwards"; }
+  int threads() const override { return 2; }
+  int loops = 0;
+
+ private:
+  void run_chunks(std::size_t count, std::size_t grain, ChunkBody body) override {
+    ++loops;
+    for (std::size_t k = (count + grain - 1) / grain; k-- > 0;)
+      body(k * grain, std::min(count, (k + 1) * grain));
+  }
+};
+
+TEST(Colony, DepositsOfLongWalksAreSharedOutAndNothingElseChanges) {
+  const Scenario scenario = scenarios::Library().load("dense/100-20/1");
+  for (const std::string variant : {"as:", "eas:", "as:alpha=2,", "as:both_ways=false,", "tan2016:"}) {
+    const std::string call = variant + "dead_end=backtrack,ants=60";
+    const TrialRecord expected = run({call, evaluations(180)}, scenario);
+    BackwardsExecutor backwards;
+    EXPECT_EQ(digest(run_on(backwards, {call, evaluations(180)}, scenario)), digest(expected)) << call;
+    EXPECT_EQ(backwards.loops, 6) << call;  // 3 iterations: walks, then deposits
+    for (const std::string& backend : testing::executors_under_test()) {
+      EXPECT_EQ(digest(run({call, evaluations(180), backend, 3}, scenario)), digest(expected))
+          << call << ' ' << backend;
     }
   }
 }
@@ -127,7 +159,7 @@ class Watched final : public PheromoneRule {
   void learn(Colony& colony, const Harvest& harvest) override {
     if (harvest.iteration % every_ == 0) colony.close(colony.nest().start() + 1);
     colony.trail().evaporate(0.5);
-    deposit_all(colony, harvest.count);
+    colony.deposit_all(harvest.count);
     for (std::size_t index = 0; index < colony.nest().size(); ++index) {
       for (int d = 0; d < direction_count; ++d) {
         inside &= colony.trail().pheromone(index, d) >= 0.5 && colony.trail().pheromone(index, d) <= 2;

@@ -184,6 +184,54 @@ TEST(Trail, EqualsASweptTrailWithinTheRoundingOfItsOwnAdditions) {
   }
 }
 
+// A walk over the whole of an open map, of steps in random directions.
+std::vector<std::uint8_t> random_walk(const Field& field, std::size_t index, Stream& stream) {
+  std::vector<std::uint8_t> directions;
+  while (directions.size() < 60) {
+    const int d = stream.between(0, 7);
+    if ((field.moves[index] >> d & 1) == 0) continue;
+    directions.push_back(static_cast<std::uint8_t>(d));
+    index = field.moves.step(index, d);
+  }
+  return directions;
+}
+
+TEST(Trail, AlongAPathStepByStepAndSharedOutByCellsAreTheSameBits) {
+  const std::vector<std::string> rows(6, ".......");
+  for (const double alpha : {1.0, 2.0}) {
+    for (const bool both_ways : {false, true}) {
+      Stream stream(5);
+      Field single(rows, MoveRule::free, alpha, 1, equal);
+      Field along(rows, MoveRule::free, alpha, 1, equal);
+      Field shared(rows, MoveRule::free, alpha, 1, equal);
+      for (Field* field : {&single, &along, &shared}) field->trail.limit(0.25, 9);
+      for (int k = 0; k < 200; ++k) {
+        const std::size_t first = single.at(stream.between(0, 6), stream.between(0, 5));
+        const std::vector<std::uint8_t> walk = random_walk(single, first, stream);
+        const double factor = k % 3 == 0 ? 0.7 : 1;
+        const double amount = stream.uniform();
+        std::size_t index = first;
+        for (const std::uint8_t d : walk) {
+          single.trail.change(index, d, factor, amount, both_ways);
+          index = single.moves.step(index, d);
+        }
+        along.trail.change_along(first, walk, factor, amount, both_ways);
+        const auto cut = static_cast<std::size_t>(stream.between(0, static_cast<int>(single.moves.size())));
+        shared.trail.change_along({cut, single.moves.size()}, first, walk, factor, amount, both_ways);
+        shared.trail.change_along({0, cut}, first, walk, factor, amount, both_ways);
+        for (Field* field : {&single, &along, &shared}) field->trail.evaporate(0.9);
+      }
+      for (std::size_t i = 0; i < single.moves.size(); ++i) {
+        for (int d = 0; d < direction_count; ++d) {
+          EXPECT_EQ(along.trail.pheromone(i, d), single.trail.pheromone(i, d)) << i << ' ' << d;
+          EXPECT_EQ(shared.trail.pheromone(i, d), single.trail.pheromone(i, d)) << i << ' ' << d;
+          EXPECT_EQ(shared.trail.weight(i, d), single.trail.weight(i, d)) << i << ' ' << d;
+        }
+      }
+    }
+  }
+}
+
 TEST(Trail, AClosedStepWeighsNothing) {
   Field field(open_ground, MoveRule::free, 1, 1, equal);
   const std::size_t middle = field.at(1, 1);

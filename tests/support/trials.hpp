@@ -37,12 +37,16 @@ struct TrialSetting {
   std::uint64_t seed = 1;
 };
 
-inline TrialRecord run(const TrialSetting& setting, const Scenario& scenario) {
+/// Whatever the setting says of backend and threads.
+inline TrialRecord run_on(Executor& executor, const TrialSetting& setting, const Scenario& scenario) {
   const Entrant entrant = bench::roster().enter(parse_call(setting.call));
-  const std::unique_ptr<Executor> executor = bench::make_executor(setting.backend, setting.threads);
   const Budget budget = setting.budget.unlimited() ? entrant.card->default_budget : setting.budget;
   return bench::run_trial(entrant, scenario, Referee(scenario.terrain), budget,
-                          root_stream(setting.seed, scenario.id, 0), *executor);
+                          root_stream(setting.seed, scenario.id, 0), executor);
+}
+
+inline TrialRecord run(const TrialSetting& setting, const Scenario& scenario) {
+  return run_on(*bench::make_executor(setting.backend, setting.threads), setting, scenario);
 }
 
 /// Every planner of static maps with its defaults, and the variants whose code paths differ.

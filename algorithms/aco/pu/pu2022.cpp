@@ -90,7 +90,7 @@ class Pu2022 : public PheromoneRule {
     if (school_) school_->judge(colony, harvest);
     colony.trail().evaporate(1 - (school_ ? school_->evaporation() : settings_.evaporation));
     if (settings_.update == PuUpdate::all_ants) {
-      deposit_all(colony, harvest.count);
+      colony.deposit_all(harvest.count);
     } else {
       deposit_tiers(colony, harvest);
     }

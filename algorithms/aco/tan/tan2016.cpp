@@ -94,7 +94,7 @@ class Tan2016 final : public PheromoneRule {
     if (settings_.mu < 1) penalise(colony, harvest.count);
     dead_ends_.mark(colony, harvest.count);
     colony.trail().evaporate(1 - settings_.evaporation);
-    deposit_all(colony, harvest.count);
+    colony.deposit_all(harvest.count);
   }
 
  private:
