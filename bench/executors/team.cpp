@@ -7,7 +7,7 @@
 namespace pathrace::bench {
 namespace {
 
-constexpr int patience = 2000;  // looks before sleep, some 10 to 40 ns each
+constexpr int patience = 20000;  // looks before sleep, 10 to 40 ns each
 
 // Tells the processor that this thread only waits.
 void relax() {
