@@ -83,7 +83,8 @@ std::uint64_t kill_in_the_middle(pid_t child, const std::string& folder) {
 }
 
 TEST(SmokeDigest, SurvivesAKillInTheMiddle) {
-  // Smoke itself is over in a blink: a longer campaign on the same planners, once whole and once killed.
+  // Smoke itself is over in a blink, and rows are written twice a second: a campaign of some seconds on the
+  // same planners, once whole and once killed.
   const ScratchFolder scratch;
   constexpr int repetitions = testing::thread_sanitizer ? 4 : 25;  // instrumented code is slow
   constexpr std::uint64_t trials = 2 * 6 * repetitions;
@@ -91,7 +92,7 @@ TEST(SmokeDigest, SurvivesAKillInTheMiddle) {
 name = "long"
 repetitions = {}
 [budget]
-evaluations = 1500
+evaluations = 12000
 [[planner]]
 name = "as"
 params = {{ dead_end = ["die", "backtrack"] }}
