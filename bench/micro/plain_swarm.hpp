@@ -37,7 +37,7 @@ class PlainSwarm {
   void judge(Particle& particle) const;
   const Particle& guide_of(std::size_t i) const;
 
-  const Problem problem_;
+  Problem problem_;
   double penalty_;
   std::vector<Particle> particles_;
 };

@@ -106,12 +106,14 @@ void pso(benchmark::State& state, const std::string& backend) {
   Budget budget;
   budget.evaluations = 201 * 100;
   std::uint64_t evaluations = 0;
-  for (auto _ : state) {
-    Meter meter(budget);
-    Context context{Stream(1), *executor, meter};
-    benchmark::DoNotOptimize(planner->plan(scenario.start, scenario.goal, context));
-    evaluations += meter.work().evaluations;
-  }
+  executor->with_team([&] {
+    for (auto _ : state) {
+      Meter meter(budget);
+      Context context{Stream(1), *executor, meter};
+      benchmark::DoNotOptimize(planner->plan(scenario.start, scenario.goal, context));
+      evaluations += meter.work().evaluations;
+    }
+  });
   state.SetItemsProcessed(static_cast<std::int64_t>(evaluations));
 }
 
