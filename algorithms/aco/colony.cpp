@@ -149,6 +149,7 @@ std::size_t Colony::walk_all(Context& context, const Stream& stream) {
 std::size_t Colony::charge(std::size_t walked, Meter& meter) const {
   for (std::size_t i = 0; i < walked; ++i) {
     const Walk& walk = walks_[i];
+    __builtin_prefetch(walk.directions.data());  // another core wrote it, and learning reads it next
     const std::uint64_t left = meter.checks_left();
     if (walk.decisions > left || (walk.decisions == left && !walk.arrived && left > 0)) {
       meter.spend_checks(left);

@@ -14,7 +14,8 @@
 
 namespace pathrace::bench {
 
-class Chunks {
+// What every chunk reads shares a cache line: threads that join a loop fetch it from another core.
+class alignas(64) Chunks {
  public:
   Chunks(std::size_t count, std::size_t grain, ChunkBody body, ThreadCensus& census)
       : count_(count), grain_(grain), body_(body), census_(census) {}
@@ -38,9 +39,9 @@ class Chunks {
   std::size_t grain_;
   ChunkBody body_;
   ThreadCensus& census_;
+  std::atomic<std::size_t> failed_{std::numeric_limits<std::size_t>::max()};  // the lowest chunk that threw
   std::mutex mutex_;
   std::exception_ptr failure_;
-  std::atomic<std::size_t> failed_{std::numeric_limits<std::size_t>::max()};  // the lowest chunk that threw
 };
 
 }  // namespace pathrace::bench

@@ -39,7 +39,7 @@ class Team {
 
   alignas(64) std::atomic<std::uint32_t> gate_{0};
   Chunks* chunks_ = nullptr;  // while the gate is open or somebody is inside
-  alignas(64) std::atomic<std::size_t> next_{0};
+  std::atomic<std::size_t> next_{0};
 };
 
 }  // namespace pathrace::bench
