@@ -7,19 +7,14 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "tests/support/process.hpp"
+#include "tests/bench/command_line.hpp"
 
 namespace pathrace::bench {
 namespace {
 
 using testing::Finished;
-using testing::run_program;
 using testing::ScratchFolder;
 using Json = nlohmann::json;
-
-Finished pathrace(const std::vector<std::string>& arguments) {
-  return run_program(PATHRACE_BINARY, arguments);
-}
 
 // Half a metre a cell; the wall leaves the lowest row open, where one cell is unknown.
 const char* const picture = "P2\n4 3\n255\n255 0 255 255\n255 0 255 255\n255 205 255 255\n";

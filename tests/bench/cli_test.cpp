@@ -1,37 +1,16 @@
 // The command line as a person meets it: what it prints, and how it refuses.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "tests/support/process.hpp"
+#include "tests/bench/command_line.hpp"
 
 namespace pathrace::bench {
 namespace {
 
 using testing::Finished;
-using testing::run_program;
 using testing::ScratchFolder;
 using Json = nlohmann::json;
-
-constexpr const char* small_map = "type octile\nheight 3\nwidth 4\nmap\n....\n.@@.\n....\n";
-
-Finished pathrace(const std::vector<std::string>& arguments) {
-  return run_program(PATHRACE_BINARY, arguments);
-}
-
-// Bad input: exit code 2 (or 3), nothing on stdout, one line on stderr that holds all these words.
-void expect_refusal(const Finished& finished, const std::vector<std::string>& words, int code = 2) {
-  EXPECT_EQ(finished.exit_code, code) << finished.out << finished.err;
-  EXPECT_EQ(std::count(finished.err.begin(), finished.err.end(), '\n'), 1) << finished.err;
-  EXPECT_TRUE(finished.err.starts_with("pathrace: ")) << finished.err;
-  for (const std::string& word : words) {
-    EXPECT_NE(finished.err.find(word), std::string::npos) << "'" << word << "' is not in: " << finished.err;
-  }
-}
 
 TEST(CommandLine, HelpShowsEveryCommandAndEachHasAnExample) {
   const Finished help = pathrace({"--help"});
@@ -136,185 +115,6 @@ TEST(BenchScen, CountsMatchesMismatchesAndBadQueries) {
   }
   const Finished limited = pathrace({"bench-scen", "--map", map, "--scen", scen, "--limit", "2", "--json"});
   EXPECT_EQ(Json::parse(limited.out)["queries"], 2);
-}
-
-TEST(Plan, PrintsOneJsonObjectWithTheContractsKeys) {
-  const Finished plan = pathrace({"plan", "--scenario", "asr/fig5", "--planner", "astar", "--json"});
-  ASSERT_EQ(plan.exit_code, 0) << plan.err;
-  EXPECT_TRUE(plan.err.empty()) << plan.err;
-  const Json object = Json::parse(plan.out);
-  for (const char* key :
-       {"scenario", "planner", "verdict", "track", "rule", "length", "optimum", "gap", "turns", "cells",
-        "evaluations", "iterations", "checks", "digest", "backend", "threads", "threads_used", "wall_s"}) {
-    EXPECT_TRUE(object.contains(key)) << key;
-  }
-  EXPECT_EQ(object["verdict"], "solved");
-  EXPECT_EQ(object["gap"], 0);
-  EXPECT_NEAR(object["length"].get<double>(), 6.2426, 1e-4);
-  EXPECT_EQ(object["cells"].front(), Json({0, 0}));
-  EXPECT_EQ(object["cells"].back(), Json({4, 4}));
-}
-
-TEST(Plan, StartOnTheGoalAndNoWayAreAnswersNotErrors) {
-  const ScratchFolder scratch;
-  const std::string map = scratch.file("wall.map", "type octile\nheight 1\nwidth 3\nmap\n.@.\n");
-  const auto plan = [&](const std::string& goal, const std::string& planner) {
-    const Finished finished =
-        pathrace({"plan", "--map", map, "--start", "0,0", "--goal", goal, "--planner", planner, "--json"});
-    EXPECT_EQ(finished.exit_code, 0) << finished.err;
-    return Json::parse(finished.out);
-  };
-  for (const char* planner : {"astar", "dijkstra", "greedy", "as", "random-walk"}) {
-    const Json here = plan("0,0", planner);
-    EXPECT_EQ(here["verdict"], "solved") << planner;
-    EXPECT_EQ(here["length"], 0) << planner;
-    EXPECT_EQ(here["gap"], 0) << planner;
-  }
-  const Json nowhere = plan("2,0", "astar");
-  EXPECT_EQ(nowhere["verdict"], "no_path");
-  EXPECT_TRUE(nowhere["length"].is_null());
-  EXPECT_TRUE(nowhere["cells"].is_null());
-}
-
-TEST(Plan, RepeatsARowOfACampaign) {
-  const ScratchFolder scratch;
-  const std::string campaign = scratch.file("one.toml", R"([campaign]
-name = "one"
-seed = 5
-repetitions = 3
-[budget]
-evaluations = 100
-[[planner]]
-name = "as"
-[[scenarios]]
-select = ["dense/20-20/3"]
-)");
-  ASSERT_EQ(pathrace({"run", campaign, "--out", scratch / "run", "--backend", "threads"}).exit_code, 0);
-  std::ifstream trials(scratch / "run/trials.csv");
-  std::stringstream text;
-  text << trials.rdbuf();
-  for (const char* repetition : {"0", "1", "2"}) {
-    const Finished plan =
-        pathrace({"plan", "--scenario", "dense/20-20/3", "--planner", "as", "--seed", "5", "--repetition",
-                  repetition, "--evaluations", "100", "--json", "--backend", "threads"});
-    const std::string digest = Json::parse(plan.out)["digest"];
-    EXPECT_NE(text.str().find(digest), std::string::npos) << repetition;
-  }
-}
-
-TEST(Plan, WritesAPictureAndATrace) {
-  const ScratchFolder scratch;
-  const Finished plan =
-      pathrace({"plan", "--scenario", "trap-u/20/3", "--planner", "as:dead_end=backtrack", "--svg",
-                scratch / "a.svg", "--trace", scratch / "a.csv", "--backend", "threads"});
-  ASSERT_EQ(plan.exit_code, 0) << plan.err;
-  std::ifstream svg(scratch / "a.svg");
-  std::string first;
-  std::getline(svg, first);
-  EXPECT_NE(first.find('<'), std::string::npos);
-  std::ifstream trace(scratch / "a.csv");
-  std::getline(trace, first);
-  EXPECT_EQ(first, "evaluations,iterations,checks,wall_s,length");
-}
-
-TEST(Run, WritesTheFilesOfTheContractAndALeaderboardRowPerPlanner) {
-  const ScratchFolder scratch;
-  const Finished run =
-      pathrace({"run", "--campaign", "smoke", "--out", scratch / "run", "--backend", "threads"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
-  for (const char* file : {"results.db", "leaderboard.csv", "trials.csv", "scenarios.csv", "campaign.toml"}) {
-    EXPECT_TRUE(std::filesystem::exists(scratch / ("run/" + std::string(file)))) << file;
-  }
-  std::ifstream board(scratch / "run/leaderboard.csv");
-  std::string line;
-  std::getline(board, line);
-  EXPECT_TRUE(line.starts_with(
-      "rank,planner,track,trials,solved,success,gap_median,gap_solved,length_median,turns_median,"
-      "evaluations_median,checks_median,time_ms_median"))
-      << line;
-  int rows = 0;
-  while (std::getline(board, line)) ++rows;
-  EXPECT_EQ(rows, 8);
-}
-
-TEST(Run, AFolderThatHoldsAStoreIsRefusedAndKept) {
-  const ScratchFolder scratch;
-  ASSERT_EQ(
-      pathrace({"run", "--campaign", "smoke", "--out", scratch / "run", "--backend", "threads"}).exit_code,
-      0);
-  const std::string before = pathrace({"digest", scratch / "run"}).out;
-  expect_refusal(pathrace({"run", "--campaign", "smoke", "--out", scratch / "run"}), {"--resume"});
-  const Finished other =
-      pathrace({"run", "--campaign", "smoke", "--seed", "9", "--resume", "--out", scratch / "run"});
-  expect_refusal(other, {"another campaign", "seed 9"});
-  EXPECT_EQ(pathrace({"digest", scratch / "run"}).out, before);
-  EXPECT_EQ(pathrace({"run", "--resume", "--out", scratch / "run"}).exit_code, 0);
-  EXPECT_EQ(pathrace({"digest", scratch / "run"}).out, before);
-}
-
-TEST(Run, ResumingAMissingFolderStartsIt) {
-  const ScratchFolder scratch;
-  EXPECT_EQ(
-      pathrace({"run", "--campaign", "smoke", "--resume", "--out", scratch / "new", "--backend", "threads"})
-          .exit_code,
-      0);
-  EXPECT_NE(pathrace({"digest", scratch / "new", "--json"}).out.find("\"recorded\":464"), std::string::npos);
-}
-
-TEST(Run, ADryRunRunsNothing) {
-  const ScratchFolder scratch;
-  const Finished dry =
-      pathrace({"run", "--campaign", "smoke", "--dry-run", "--out", scratch / "run", "--backend", "threads"});
-  EXPECT_EQ(dry.exit_code, 0) << dry.err;
-  EXPECT_NE(dry.out.find("464 trials"), std::string::npos) << dry.out;
-  EXPECT_NE(dry.out.find("about"), std::string::npos) << dry.out;
-  EXPECT_FALSE(std::filesystem::exists(scratch / "run"));
-}
-
-TEST(Run, AnOutputThatIsAFileIsRefused) {
-  const ScratchFolder scratch;
-  expect_refusal(pathrace({"run", "--campaign", "smoke", "--out", scratch.file("taken", "x")}),
-                 {"taken", "folder"});
-}
-
-TEST(Run, AnOutputThatCannotBeMadeIsTheEnvironmentsFault) {
-  expect_refusal(pathrace({"run", "--campaign", "smoke", "--out", "/proc/pathrace"}), {"/proc/pathrace"}, 3);
-}
-
-TEST(Run, DamagedAndForeignStoresAreRefused) {
-  const ScratchFolder scratch;
-  std::filesystem::create_directory(scratch / "run");
-  for (const auto& [text, word] :
-       {std::pair<std::string, std::string>{"", "results.db"}, {"not a database at all", "results.db"}}) {
-    scratch.file("run/results.db", text);
-    for (const char* command : {"leaderboard", "verify", "digest"})
-      expect_refusal(pathrace({command, scratch / "run"}), {word});
-    expect_refusal(pathrace({"run", "--campaign", "smoke", "--resume", "--out", scratch / "run"}), {word});
-  }
-  expect_refusal(pathrace({"leaderboard", scratch / "nowhere"}), {"nowhere"});
-}
-
-TEST(Run, ACampaignFileThatIsWrongIsNamedWithItsLine) {
-  const ScratchFolder scratch;
-  expect_refusal(pathrace({"run", scratch / "none.toml"}), {"none.toml"});
-  expect_refusal(pathrace({"run", scratch.file("bad.toml", "[campaign]\nname = \n")}), {"bad.toml:2:"});
-  expect_refusal(pathrace({"run", scratch.path().string()}), {"folder"});
-}
-
-TEST(Run, RecordedMapsJoinTheRace) {
-  const ScratchFolder scratch;
-  scratch.file("small.map", small_map);
-  scratch.file("small.map.scen",
-               "version 1\n0\tsmall.map\t4\t3\t0\t0\t3\t0\t3\n0\tsmall.map\t4\t3\t1\t1\t3\t0\t3\n");
-  const Finished run = pathrace({"run", "--campaign", "smoke", "--maps", scratch.path().string(), "--out",
-                                 scratch / "run", "--backend", "threads"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_NE(run.err.find("left out"), std::string::npos) << run.err;  // the query on a blocked cell
-  EXPECT_NE(run.err.find("480 trials"), std::string::npos) << run.err;
-  const Finished verify = pathrace({"verify", scratch / "run", "--backend", "threads"});
-  EXPECT_EQ(verify.exit_code, 0) << verify.out << verify.err;
-  std::filesystem::remove(scratch / "small.map");
-  expect_refusal(pathrace({"verify", scratch / "run"}), {"small.map"});
 }
 
 TEST(Scenarios, ListsShowsExportsAndChecks) {

@@ -8,19 +8,14 @@
 
 #include "bench/gallery_tiles.hpp"
 #include "results/polyline.hpp"
+#include "tests/bench/command_line.hpp"
 #include "tests/support/png_picture.hpp"
-#include "tests/support/process.hpp"
 
 namespace pathrace::bench {
 namespace {
 
 using testing::Finished;
-using testing::run_program;
 using testing::ScratchFolder;
-
-Finished pathrace(const std::vector<std::string>& arguments) {
-  return run_program(PATHRACE_BINARY, arguments);
-}
 
 std::string text_of(const std::string& file) {
   std::ifstream in(file, std::ios::binary);

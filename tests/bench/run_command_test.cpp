@@ -1,0 +1,116 @@
+// `pathrace run`: the folder of a campaign, and what is refused before anything is lost.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "tests/bench/command_line.hpp"
+
+namespace pathrace::bench {
+namespace {
+
+using testing::Finished;
+using testing::ScratchFolder;
+
+TEST(Run, WritesTheFilesOfTheContractAndALeaderboardRowPerPlanner) {
+  const ScratchFolder scratch;
+  const Finished run =
+      pathrace({"run", "--campaign", "smoke", "--out", scratch / "run", "--backend", "threads"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  for (const char* file : {"results.db", "leaderboard.csv", "trials.csv", "scenarios.csv", "campaign.toml"}) {
+    EXPECT_TRUE(std::filesystem::exists(scratch / ("run/" + std::string(file)))) << file;
+  }
+  std::ifstream board(scratch / "run/leaderboard.csv");
+  std::string line;
+  std::getline(board, line);
+  EXPECT_TRUE(line.starts_with(
+      "rank,planner,track,trials,solved,success,gap_median,gap_solved,length_median,turns_median,"
+      "evaluations_median,checks_median,time_ms_median"))
+      << line;
+  int rows = 0;
+  while (std::getline(board, line)) ++rows;
+  EXPECT_EQ(rows, 8);
+}
+
+TEST(Run, AFolderThatHoldsAStoreIsRefusedAndKept) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(
+      pathrace({"run", "--campaign", "smoke", "--out", scratch / "run", "--backend", "threads"}).exit_code,
+      0);
+  const std::string before = pathrace({"digest", scratch / "run"}).out;
+  expect_refusal(pathrace({"run", "--campaign", "smoke", "--out", scratch / "run"}), {"--resume"});
+  const Finished other =
+      pathrace({"run", "--campaign", "smoke", "--seed", "9", "--resume", "--out", scratch / "run"});
+  expect_refusal(other, {"another campaign", "seed 9"});
+  EXPECT_EQ(pathrace({"digest", scratch / "run"}).out, before);
+  EXPECT_EQ(pathrace({"run", "--resume", "--out", scratch / "run"}).exit_code, 0);
+  EXPECT_EQ(pathrace({"digest", scratch / "run"}).out, before);
+}
+
+TEST(Run, ResumingAMissingFolderStartsIt) {
+  const ScratchFolder scratch;
+  EXPECT_EQ(
+      pathrace({"run", "--campaign", "smoke", "--resume", "--out", scratch / "new", "--backend", "threads"})
+          .exit_code,
+      0);
+  EXPECT_NE(pathrace({"digest", scratch / "new", "--json"}).out.find("\"recorded\":464"), std::string::npos);
+}
+
+TEST(Run, ADryRunRunsNothing) {
+  const ScratchFolder scratch;
+  const Finished dry =
+      pathrace({"run", "--campaign", "smoke", "--dry-run", "--out", scratch / "run", "--backend", "threads"});
+  EXPECT_EQ(dry.exit_code, 0) << dry.err;
+  EXPECT_NE(dry.out.find("464 trials"), std::string::npos) << dry.out;
+  EXPECT_NE(dry.out.find("about"), std::string::npos) << dry.out;
+  EXPECT_FALSE(std::filesystem::exists(scratch / "run"));
+}
+
+TEST(Run, AnOutputThatIsAFileIsRefused) {
+  const ScratchFolder scratch;
+  expect_refusal(pathrace({"run", "--campaign", "smoke", "--out", scratch.file("taken", "x")}),
+                 {"taken", "folder"});
+}
+
+TEST(Run, AnOutputThatCannotBeMadeIsTheEnvironmentsFault) {
+  expect_refusal(pathrace({"run", "--campaign", "smoke", "--out", "/proc/pathrace"}), {"/proc/pathrace"}, 3);
+}
+
+TEST(Run, DamagedAndForeignStoresAreRefused) {
+  const ScratchFolder scratch;
+  std::filesystem::create_directory(scratch / "run");
+  for (const auto& [text, word] :
+       {std::pair<std::string, std::string>{"", "results.db"}, {"not a database at all", "results.db"}}) {
+    scratch.file("run/results.db", text);
+    for (const char* command : {"leaderboard", "verify", "digest"})
+      expect_refusal(pathrace({command, scratch / "run"}), {word});
+    expect_refusal(pathrace({"run", "--campaign", "smoke", "--resume", "--out", scratch / "run"}), {word});
+  }
+  expect_refusal(pathrace({"leaderboard", scratch / "nowhere"}), {"nowhere"});
+}
+
+TEST(Run, ACampaignFileThatIsWrongIsNamedWithItsLine) {
+  const ScratchFolder scratch;
+  expect_refusal(pathrace({"run", scratch / "none.toml"}), {"none.toml"});
+  expect_refusal(pathrace({"run", scratch.file("bad.toml", "[campaign]\nname = \n")}), {"bad.toml:2:"});
+  expect_refusal(pathrace({"run", scratch.path().string()}), {"folder"});
+}
+
+TEST(Run, RecordedMapsJoinTheRace) {
+  const ScratchFolder scratch;
+  scratch.file("small.map", small_map);
+  scratch.file("small.map.scen",
+               "version 1\n0\tsmall.map\t4\t3\t0\t0\t3\t0\t3\n0\tsmall.map\t4\t3\t1\t1\t3\t0\t3\n");
+  const Finished run = pathrace({"run", "--campaign", "smoke", "--maps", scratch.path().string(), "--out",
+                                 scratch / "run", "--backend", "threads"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.err.find("left out"), std::string::npos) << run.err;  // the query on a blocked cell
+  EXPECT_NE(run.err.find("480 trials"), std::string::npos) << run.err;
+  const Finished verify = pathrace({"verify", scratch / "run", "--backend", "threads"});
+  EXPECT_EQ(verify.exit_code, 0) << verify.out << verify.err;
+  std::filesystem::remove(scratch / "small.map");
+  expect_refusal(pathrace({"verify", scratch / "run"}), {"small.map"});
+}
+
+}  // namespace
+}  // namespace pathrace::bench
