@@ -100,14 +100,14 @@ std::vector<std::uint8_t> free_neighbours(const OccupancyGrid& grid) {
   for (std::size_t i = 0; i < is_free.size(); ++i) is_free[i] = grid.blocked_at(i) ? 0 : 1;
   std::vector<std::uint8_t> neighbours(grid.padded_size(), 0);
   const std::size_t stride = grid.stride();
-  const auto width = static_cast<std::size_t>(grid.width());
+  const std::ptrdiff_t width = grid.width();
   for (int y = 0; y < grid.height(); ++y) {
     const std::size_t row = grid.index({0, y});
     const std::uint8_t* const above = is_free.data() + (row - stride);
     const std::uint8_t* const here = is_free.data() + row;
     const std::uint8_t* const below = is_free.data() + (row + stride);
     std::uint8_t* const out = neighbours.data() + row;
-    for (std::size_t x = 0; x < width; ++x) {
+    for (std::ptrdiff_t x = 0; x < width; ++x) {
       out[x] =
           static_cast<std::uint8_t>(here[x + 1] | below[x + 1] << 1 | below[x] << 2 | below[x - 1] << 3 |
                                     here[x - 1] << 4 | above[x - 1] << 5 | above[x] << 6 | above[x + 1] << 7);
