@@ -17,10 +17,10 @@
 
 #include "algorithms/aco/choice.hpp"
 #include "algorithms/aco/dead_end.hpp"
-#include "algorithms/aco/draws.hpp"
 #include "algorithms/aco/nest.hpp"
 #include "algorithms/aco/trail.hpp"
 #include "algorithms/aco/walk.hpp"
+#include "algorithms/draws.hpp"
 #include "core/meter.hpp"
 #include "core/stream.hpp"
 

@@ -5,7 +5,7 @@
 #include <bit>
 #include <utility>
 
-#include "algorithms/aco/draws.hpp"
+#include "algorithms/draws.hpp"
 
 namespace pathrace::algorithms {
 namespace {

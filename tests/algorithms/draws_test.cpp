@@ -1,4 +1,4 @@
-#include "algorithms/aco/draws.hpp"
+#include "algorithms/draws.hpp"
 
 #include <gtest/gtest.h>
 
