@@ -1,64 +1,27 @@
-// The contract of executors, for every one of them and several numbers of threads.
-//
-// A rendezvous is a loop with as many chunks as threads, in which every chunk waits until all have begun:
-// it only ends when that many threads run at the same time, however few the cores are.
-#include "bench/executors.hpp"
-
+// The contract of executors. What their threads do for a whole planner's call is in executor_team_test.cpp.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <barrier>
 #include <limits>
 #include <memory>
 #include <mutex>
 #include <set>
 #include <stdexcept>
 #include <thread>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "core/error.hpp"
 #include "core/stream.hpp"
-#include "tests/support/sanitizers.hpp"
+#include "tests/bench/executor_contract.hpp"
 
 namespace pathrace::bench {
 namespace {
 
 using pathrace::testing::thread_sanitizer;
 
-std::vector<std::string> names_under_test() {
-  return thread_sanitizer ? std::vector<std::string>{"serial", "threads"} : executor_names();
-}
-
-using Indices = std::vector<int>;
-
-// How often each index was visited by one loop.
-Indices visits(Executor& executor, std::size_t count, std::size_t grain) {
-  std::vector<std::atomic<int>> visited(count);
-  for_each_index(executor, count, grain, [&](std::size_t i) { ++visited[i]; });
-  return {visited.begin(), visited.end()};
-}
-
-// Ends only when `executor.threads()` threads are in it together.
-void rendezvous(Executor& executor) {
-  std::barrier together(executor.threads());
-  for_each_index(executor, static_cast<std::size_t>(executor.threads()), 1,
-                 [&](std::size_t) { together.arrive_and_wait(); });
-}
-
-class ExecutorContract : public ::testing::TestWithParam<std::tuple<std::string, int>> {
- protected:
-  std::unique_ptr<Executor> another() const {
-    return make_executor(std::get<0>(GetParam()), std::get<1>(GetParam()));
-  }
-  Executor& executor() { return *executor_; }
-  bool parallel() const { return executor_->threads() > 1; }
-
- private:
-  std::unique_ptr<Executor> executor_ = another();
-};
+class ExecutorContract : public EveryExecutor {};
 
 TEST_P(ExecutorContract, HasTheNameAndTheThreadsThatWereAskedForAndSerialHasOne) {
   const auto& [name, threads] = GetParam();
@@ -256,88 +219,7 @@ TEST_P(ExecutorContract, AnExceptionReachesTheCallerItBelongsToAndNoOther) {
   EXPECT_EQ(seen, (std::vector<std::string>{"caller 0", "caller 1", "caller 2", "caller 3"}));
 }
 
-TEST_P(ExecutorContract, WithATeamTheBodyRunsOnceOnTheCallingThread) {
-  std::vector<std::thread::id> ran_on;
-  executor().with_team([&] { ran_on.push_back(std::this_thread::get_id()); });
-  EXPECT_EQ(ran_on, std::vector{std::this_thread::get_id()});
-}
-
-TEST_P(ExecutorContract, WithATeamEveryLoopVisitsEveryIndexOnce) {
-  executor().with_team([&] {
-    for (std::size_t count = 0; count < 300; ++count) {
-      ASSERT_EQ(visits(executor(), count, 1 + count % 5), Indices(count, 1)) << count;
-    }
-  });
-}
-
-TEST_P(ExecutorContract, WithATeamAllThreadsComeTogetherLoopAfterLoop) {
-  executor().restart_census();
-  executor().with_team([&] {
-    for (int round = 0; round < 20; ++round) rendezvous(executor());
-  });
-  EXPECT_EQ(executor().threads_used(), executor().threads());
-}
-
-TEST_P(ExecutorContract, ATeamIsGatheredAgainAfterItWasLetGo) {
-  for (int round = 0; round < 20; ++round) {
-    executor().with_team([&] { rendezvous(executor()); });
-    rendezvous(executor());
-  }
-}
-
-TEST_P(ExecutorContract, AnExceptionComesOutOfALoopAndOutOfTheBodyWithATeam) {
-  const auto fail_at_7 = [](std::size_t i) {
-    if (i == 7) throw InputError("chunk 7");
-  };
-  EXPECT_THROW(executor().with_team([] { throw InputError("body"); }), InputError);
-  executor().with_team([&] {
-    EXPECT_THROW(for_each_index(executor(), 20, 1, fail_at_7), InputError);
-    EXPECT_EQ(visits(executor(), 20, 1), Indices(20, 1));
-  });
-  EXPECT_THROW(executor().with_team([&] { for_each_index(executor(), 20, 1, fail_at_7); }), InputError);
-  EXPECT_EQ(visits(executor(), 20, 1), Indices(20, 1));
-}
-
-TEST_P(ExecutorContract, TeamsMayBeAskedForInsideOfTeamsAndOfLoops) {
-  std::vector<std::atomic<int>> visited(6 * 5);
-  const auto inner = [&](std::size_t a) {
-    executor().with_team(
-        [&] { for_each_index(executor(), 5, 1, [&](std::size_t b) { ++visited[a * 5 + b]; }); });
-  };
-  executor().with_team([&] { executor().with_team([&] { for_each_index(executor(), 6, 1, inner); }); });
-  EXPECT_EQ(Indices(visited.begin(), visited.end()), Indices(6 * 5, 1));
-}
-
-TEST_P(ExecutorContract, WhileOneThreadLeadsATeamAnotherMayUseTheExecutorToo) {
-  Indices others;
-  executor().with_team([&] {
-    std::thread other([&] { others = visits(executor(), 50, 1); });
-    EXPECT_EQ(visits(executor(), 70, 1), Indices(70, 1));
-    other.join();
-  });
-  EXPECT_EQ(others, Indices(50, 1));
-}
-
-TEST_P(ExecutorContract, LoopsOfAnotherExecutorGetItsThreadsInsideOfATeam) {
-  const std::unique_ptr<Executor> inner = another();
-  executor().with_team([&] {
-    inner->with_team([&] {
-      rendezvous(*inner);
-      rendezvous(executor());
-    });
-    rendezvous(executor());
-  });
-  EXPECT_EQ(inner->threads_used(), inner->threads());
-}
-
-std::string test_name(const ::testing::TestParamInfo<ExecutorContract::ParamType>& info) {
-  return fmt::format("{}_{}", std::get<0>(info.param), std::get<1>(info.param));
-}
-
-INSTANTIATE_TEST_SUITE_P(Executors, ExecutorContract,
-                         ::testing::Combine(::testing::ValuesIn(names_under_test()),
-                                            ::testing::Values(1, 2, 4)),
-                         test_name);
+INSTANTIATE_TEST_SUITE_P(Executors, ExecutorContract, executors_and_threads(), test_name);
 
 TEST(Executors, TwoKindsAndTwoSizesAtATimeAllGetTheirThreads) {
   std::vector<std::unique_ptr<Executor>> executors;

@@ -33,7 +33,7 @@ void run(Team& team, std::size_t count, const Body& body) {
   chunks.rethrow();
 }
 
-TEST(Team, ALeaderWithoutHelpersDoesEverything) {
+TEST(ExecutorTeam, ALeaderWithoutHelpersDoesEverything) {
   lead(0, [](Team& team) {
     std::vector<int> visited(9, 0);
     run(team, visited.size(), [&](std::size_t k) { ++visited[k]; });
@@ -41,7 +41,7 @@ TEST(Team, ALeaderWithoutHelpersDoesEverything) {
   });
 }
 
-TEST(Team, ManyShortLoopsEachVisitEveryChunkOnceAndTheLeaderSeesWhatHelpersWrote) {
+TEST(ExecutorTeam, ManyShortLoopsEachVisitEveryChunkOnceAndTheLeaderSeesWhatHelpersWrote) {
   lead(3, [](Team& team) {
     for (int loop = 1; loop <= 3000; ++loop) {
       std::vector<int> slots(7, 0);  // of plain memory: a sanitizer sees who reads too early
@@ -51,7 +51,7 @@ TEST(Team, ManyShortLoopsEachVisitEveryChunkOnceAndTheLeaderSeesWhatHelpersWrote
   });
 }
 
-TEST(Team, HelpersSeeWhatTheLeaderWroteBeforeTheLoop) {
+TEST(ExecutorTeam, HelpersSeeWhatTheLeaderWroteBeforeTheLoop) {
   lead(3, [](Team& team) {
     std::vector<int> input(7, 0);
     std::vector<int> output(7, 0);
@@ -63,7 +63,7 @@ TEST(Team, HelpersSeeWhatTheLeaderWroteBeforeTheLoop) {
   });
 }
 
-TEST(Team, AllHelpersComeWhenTheyAreNeededHoweverLongTheyHaveWaited) {
+TEST(ExecutorTeam, AllHelpersComeWhenTheyAreNeededHoweverLongTheyHaveWaited) {
   std::uint64_t sum = 0;
   lead(3, [&sum](Team& team) {
     for (int loop = 0; loop < 200; ++loop) {
@@ -76,11 +76,11 @@ TEST(Team, AllHelpersComeWhenTheyAreNeededHoweverLongTheyHaveWaited) {
   EXPECT_NE(sum, 0U);
 }
 
-TEST(Team, HelpersThatNeverHadALoopGoHomeToo) {
+TEST(ExecutorTeam, HelpersThatNeverHadALoopGoHomeToo) {
   for (int round = 0; round < 50; ++round) lead(4, [](Team&) {});
 }
 
-TEST(Team, ALoopWithoutChunksIsDoneAtOnce) {
+TEST(ExecutorTeam, ALoopWithoutChunksIsDoneAtOnce) {
   lead(2, [](Team& team) {
     run(team, 0, [](std::size_t) { FAIL(); });
     int visited = 0;
