@@ -16,8 +16,8 @@ struct ScenReport {
   std::size_t matched = 0;  ///< solved, with the recorded optimum; any-angle paths may be shorter
   /// Longer, illegal, or no path; at any angle, also shorter than the proven any-angle optimum.
   std::size_t mismatched = 0;
-  std::size_t bad_queries =
-      0;                ///< out of bounds, a blocked end, another map size, or a legal path below the optimum
+  /// Out of bounds, a blocked end, another map size, or a legal path below the optimum.
+  std::size_t bad_queries = 0;
   double setup_us = 0;  ///< binding the planner to the map, once
   double us_per_query_mean = 0;
   double us_per_query_median = 0;

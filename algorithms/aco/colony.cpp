@@ -198,9 +198,7 @@ void Colony::deposit_all(std::size_t count) {
     amounts_[k] = walks_[k].arrived ? rule_.amount(walks_[k]) : 0;
     steps += walks_[k].arrived ? walks_[k].directions.size() : 0;
   }
-  const std::size_t parts = executor_ == nullptr || steps < steps_worth_sharing
-                                ? 1
-                                : static_cast<std::size_t>(executor_->threads());
+  const std::size_t parts = steps < steps_worth_sharing ? 1 : static_cast<std::size_t>(executor_->threads());
   const std::size_t cells = (nest_.size() + parts - 1) / parts;
   const auto deposit_within = [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = 0; k < count; ++k) {

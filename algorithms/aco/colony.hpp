@@ -48,8 +48,8 @@ class Colony {
   /// Best so far; has arrived once there is one.
   const Walk& best() const { return best_; }
 
-  /// Each of the first `count` ants that arrived adds the rule's amount to the steps of its path, in ant
-  /// order.
+  /// During a run: each of the first `count` ants that arrived adds the rule's amount to the steps of its
+  /// path, in ant order.
   void deposit_all(std::size_t count);
   /// Adds `amount` to each step of the walk's path.
   void deposit(const Walk& walk, double amount);

@@ -84,11 +84,7 @@ class StepSwarm {
     const std::size_t batch = admitted(context.meter);
     const Stream stream = context.stream.fork(k);
     const Momentum pace = momentum(settings_, k, static_cast<std::size_t>(settings_.iterations));
-    const auto threads = static_cast<std::size_t>(context.executor.threads());
-    const std::size_t groups = (batch + Swarm::abreast - 1) / Swarm::abreast;
-    for_each_index(context.executor, groups, (groups + threads - 1) / threads, [&](std::size_t group) {
-      const std::size_t first = group * Swarm::abreast;
-      const std::size_t count = std::min(Swarm::abreast, batch - first);
+    for_each_abreast(context.executor, batch, [&](std::size_t first, std::size_t count) {
       if (k > 0) swarm_.move(first, count, pace, stream);
       for (std::size_t i = first; i < first + count; ++i) {
         if (k == 0) {

@@ -93,11 +93,7 @@ class WaypointSearch {
   void move_and_judge(Swarm& swarm, std::size_t k, std::size_t batch, const Stream& stream,
                       Executor& executor) {
     const Momentum pace = momentum(settings_, k, static_cast<std::size_t>(settings_.life));
-    const auto threads = static_cast<std::size_t>(executor.threads());
-    const std::size_t groups = (batch + Swarm::abreast - 1) / Swarm::abreast;
-    for_each_index(executor, groups, (groups + threads - 1) / threads, [&](std::size_t group) {
-      const std::size_t first = group * Swarm::abreast;
-      const std::size_t count = std::min(Swarm::abreast, batch - first);
+    for_each_abreast(executor, batch, [&](std::size_t first, std::size_t count) {
       if (k == 0) {
         for (std::size_t i = first; i < first + count; ++i) nursery_.place(swarm, i, stream.fork(i));
       } else {

@@ -12,6 +12,7 @@
 // strictly better only, so that of equals the lowest index and the oldest memory stay.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -19,6 +20,7 @@
 #include <vector>
 
 #include "algorithms/pso/swarm_settings.hpp"
+#include "core/executor.hpp"
 #include "core/stream.hpp"
 
 namespace pathrace::algorithms {
@@ -84,5 +86,17 @@ class Swarm {
   std::vector<double> best_costs_;
   std::size_t leader_ = 0;
 };
+
+/// Calls `body(first, count)` for particles 0..total-1, count <= Swarm::abreast of them at a time, on all
+/// threads.
+template <typename Body>
+void for_each_abreast(Executor& executor, std::size_t total, const Body& body) {
+  const std::size_t groups = (total + Swarm::abreast - 1) / Swarm::abreast;
+  const auto threads = static_cast<std::size_t>(executor.threads());
+  for_each_index(executor, groups, (groups + threads - 1) / threads, [&](std::size_t group) {
+    const std::size_t first = group * Swarm::abreast;
+    body(first, std::min(Swarm::abreast, total - first));
+  });
+}
 
 }  // namespace pathrace::algorithms
