@@ -38,6 +38,10 @@ std::unique_ptr<Executor> make_executor(std::string_view name, int threads) {
   throw InputError(unknown_name("backend", name, executor_names()));
 }
 
+std::string default_backend() {
+  return PATHRACE_BACKEND;
+}
+
 std::vector<std::string> executor_names() {
   std::vector<std::string> names;
   for (const Entry& entry : entries) names.emplace_back(entry.name);

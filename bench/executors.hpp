@@ -18,6 +18,9 @@ inline constexpr int max_threads = 256;
 /// (libgomp ends the process).
 std::unique_ptr<Executor> make_executor(std::string_view name, int threads);
 
+/// What runs when nobody chooses: "tbb", unless the build says otherwise (PATHRACE_BACKEND).
+std::string default_backend();
+
 /// In the order of executors.def.
 std::vector<std::string> executor_names();
 

@@ -6,13 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "bench/executors.hpp"
 #include "bench/trial_plan.hpp"
 #include "core/record.hpp"
 
 namespace pathrace::bench {
 
 struct RunOptions {
-  std::string backend = "tbb";
+  std::string backend = default_backend();
   int jobs = 1;     ///< trials side by side
   int threads = 1;  ///< for each planner
 };

@@ -59,7 +59,9 @@ void add_executor_options(CLI::App& command, RunOptions& options, bool jobs) {
   command.add_option("--threads", options.threads, "threads of each planner (default: 1)")
       ->check(CLI::Range(1, max_threads))
       ->type_name("N");
-  command.add_option("--backend", options.backend, "serial, openmp, tbb or threads (default: tbb)")
+  command
+      .add_option("--backend", options.backend,
+                  fmt::format("serial, openmp, tbb or threads (default: {})", default_backend()))
       ->type_name("NAME");
 }
 

@@ -13,7 +13,8 @@
 
 namespace pathrace::bench::cli {
 
-/// --backend, --threads, and --jobs when `jobs` is true; defaults: tbb, 1 thread, as many jobs as cores.
+/// --backend, --threads, and --jobs when `jobs` is true; defaults: the build's (tbb), 1 thread, as many jobs
+/// as cores.
 void add_executor_options(CLI::App& command, RunOptions& options, bool jobs);
 
 /// Throws InputError for an unknown backend; names the nearest match.

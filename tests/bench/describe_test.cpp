@@ -33,7 +33,6 @@ select = ["trap-u/20/1", "asr/*", "dense/20-20/1..20"]
 constexpr std::size_t campaign_scenarios = 24;
 
 Finished pathrace(std::vector<std::string> arguments) {
-  if (testing::thread_sanitizer) arguments.insert(arguments.end(), {"--backend", "threads"});
   return run_program(PATHRACE_BINARY, arguments);
 }
 

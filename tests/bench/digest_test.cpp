@@ -23,7 +23,6 @@ constexpr const char* smoke_digest = "975de48938c3ca11";
 
 std::vector<std::string> smoke(const std::string& folder, const std::vector<std::string>& more = {}) {
   std::vector<std::string> arguments{"run", "--campaign", "smoke", "--out", folder};
-  if (testing::thread_sanitizer) arguments.insert(arguments.end(), {"--backend", "threads"});
   arguments.insert(arguments.end(), more.begin(), more.end());
   return arguments;
 }

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <limits>
 #include <memory>
@@ -242,6 +243,12 @@ TEST(Executors, NestedLoopsOfOneOpenMpExecutorShareItsThreads) {
 
 TEST(Executors, AreListedInTheOrderInWhichHelpTextsShowThem) {
   EXPECT_EQ(executor_names(), (std::vector<std::string>{"serial", "openmp", "tbb", "threads"}));
+}
+
+TEST(Executors, TheDefaultIsOneOfThemAndUnderTheThreadSanitizerTheOneItSeesThrough) {
+  const std::vector<std::string> names = executor_names();
+  EXPECT_NE(std::find(names.begin(), names.end(), default_backend()), names.end()) << default_backend();
+  if (thread_sanitizer) EXPECT_EQ(default_backend(), "threads");
 }
 
 TEST(Executors, AnUnknownNameIsRefusedWithTheNearestMatch) {

@@ -159,7 +159,6 @@ class StoredReferences : public ::testing::Test {
   }
 
   static Finished pathrace(std::vector<std::string> arguments) {
-    if (testing::thread_sanitizer) arguments.insert(arguments.end(), {"--backend", "threads"});
     return run_program(PATHRACE_BINARY, arguments);
   }
   std::string folder() const { return scratch_ / "run"; }
