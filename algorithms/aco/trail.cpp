@@ -29,24 +29,35 @@ std::array<float, direction_count> desirabilities(unsigned mask, std::size_t ind
   return row;
 }
 
-// Calls `visit(cell, direction)` for each step of the path, and for each step back when `both_ways`, that
-// leads out of one of the cells.
-template <bool everywhere, typename Visit>
-void for_each_step_out_of(CellRange cells, const MoveTable& moves, std::size_t index,
-                          const std::vector<std::uint8_t>& directions, bool both_ways, const Visit& visit) {
-  bool inside = everywhere || cells.contains(index);
-  for (const std::uint8_t direction : directions) {
-    if (inside) visit(index, int{direction});
-    index = moves.step(index, direction);
-    inside = everywhere || cells.contains(index);
-    if (both_ways && inside) visit(index, opposite(direction));
+// Calls `change(strength)` for each step of the path, and for each step back when `both_ways`, that leads out
+// of one of the `count` rows from `first` on. `row` is where the path starts.
+template <bool both_ways, bool everywhere, typename Change>
+void for_each_strength(float* first, std::size_t count, float* row, const RowSteps& steps,
+                       std::span<const std::uint8_t> directions, const Change& change) {
+  const auto mine = [=](const float* strength) {
+    return everywhere || static_cast<std::size_t>(strength - first) < count * floats_per_row;
+  };
+  for (const std::size_t direction : directions) {
+    float* const back = row + steps.back[direction];
+    if (mine(row)) change(row[direction]);
+    if (both_ways && mine(back)) change(*back);
+    row += steps.on[direction];
   }
 }
 
 }  // namespace
 
+RowSteps::RowSteps(const MoveTable& moves) {
+  for (int d = 0; d < direction_count; ++d) {
+    const auto k = static_cast<std::size_t>(d);
+    on[k] = moves.offset(d) * static_cast<std::ptrdiff_t>(floats_per_row);
+    back[k] = on[k] + opposite(d);
+  }
+}
+
 Trail::Trail(const MoveTable& moves, double initial, double alpha, double beta, const Heuristic& eta)
     : moves_(moves),
+      steps_(moves),
       alpha_(alpha),
       smallest_scale_(std::ldexp(1.0, -static_cast<int>(40 / std::max(1.0, alpha)))),
       rows_(moves.size(), TrailRow{}) {
@@ -98,42 +109,41 @@ void Trail::change(std::size_t index, int direction, double factor, double amoun
   if (!stored_.empty()) rows_[index].strength[static_cast<std::size_t>(direction)] = strength_of(tau);
 }
 
-void Trail::change_along(CellRange cells, std::size_t index, const std::vector<std::uint8_t>& directions,
+void Trail::change_along(CellRange cells, std::size_t index, std::span<const std::uint8_t> directions,
                          double factor, double amount, bool both_ways) {
-  if (stored_.empty()) {
-    const bool everywhere = cells.end - cells.begin == rows_.size();
-    const auto change = [&]<bool there_and_back>() {
-      everywhere ? change_strengths<there_and_back, true>(cells, index, directions, factor, amount)
-                 : change_strengths<there_and_back, false>(cells, index, directions, factor, amount);
-    };
-    return both_ways ? change.operator()<true>() : change.operator()<false>();
+  if (stored_.empty()) return change_strengths(cells, index, directions, factor, amount, both_ways);
+  for (const std::uint8_t direction : directions) {
+    if (cells.contains(index)) change(index, direction, factor, amount);
+    index = moves_.step(index, direction);
+    if (both_ways && cells.contains(index)) change(index, opposite(direction), factor, amount);
   }
-  for_each_step_out_of<false>(
-      cells, moves_, index, directions, both_ways,
-      [&](std::size_t cell, int direction) { change(cell, direction, factor, amount); });
 }
 
 // The hot form of `change`, for alpha = 1, where strength and stored tau are the same. What is only added to
 // cannot fall below the lower limit.
-template <bool both_ways, bool everywhere>
-void Trail::change_strengths(CellRange cells, std::size_t index, const std::vector<std::uint8_t>& directions,
-                             double factor, double amount) {
+void Trail::change_strengths(CellRange cells, std::size_t index, std::span<const std::uint8_t> directions,
+                             double factor, double amount, bool both_ways) {
   const float least = least_;
   const float most = most_;
   const auto kept = static_cast<float>(factor);
   const auto added = static_cast<float>(amount / scale_);
-  TrailRow* const rows = rows_.data();
-  const auto walk = [&](const auto& changed) {
-    for_each_step_out_of<everywhere>(cells, moves_, index, directions, both_ways,
-                                     [rows, &changed](std::size_t cell, int direction) {
-                                       float& tau = rows[cell].strength[static_cast<std::size_t>(direction)];
-                                       tau = changed(tau);
-                                     });
+  float* const first = rows_[cells.begin].strength.data();
+  const std::size_t count = cells.end - cells.begin;
+  const auto go = [&]<bool there_and_back, bool everywhere>(const auto& change) {
+    for_each_strength<there_and_back, everywhere>(first, count, rows_[index].strength.data(), steps_,
+                                                  directions, change);
+  };
+  const auto along = [&](const auto& change) {
+    if (count < rows_.size()) {
+      both_ways ? go.template operator()<true, false>(change) : go.template operator()<false, false>(change);
+    } else {
+      both_ways ? go.template operator()<true, true>(change) : go.template operator()<false, true>(change);
+    }
   };
   if (kept == 1 && added >= 0) {
-    return walk([=](float tau) { return std::min(std::max(tau, least) + added, most); });
+    return along([=](float& tau) { tau = std::min(std::max(tau, least) + added, most); });
   }
-  walk([=](float tau) { return std::min(std::max(std::max(tau, least) * kept + added, least), most); });
+  along([=](float& tau) { tau = std::min(std::max(std::max(tau, least) * kept + added, least), most); });
 }
 
 void Trail::reset(double value) {

@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "algorithms/aco/huge_pages.hpp"
@@ -29,6 +30,16 @@ namespace pathrace::algorithms {
 struct alignas(64) TrailRow {
   std::array<float, direction_count> strength;      ///< (stored tau)^alpha, below the limit perhaps
   std::array<float, direction_count> desirability;  ///< (eta / largest eta)^beta, 0 for closed steps
+};
+
+inline constexpr std::size_t floats_per_row = sizeof(TrailRow) / sizeof(float);
+
+/// A step in each direction, as what it adds to a pointer to the first strength of its row.
+struct RowSteps {
+  explicit RowSteps(const MoveTable& moves);
+
+  std::array<std::ptrdiff_t, direction_count> on;    ///< to the row it leads to
+  std::array<std::ptrdiff_t, direction_count> back;  ///< and there to the step back
 };
 
 /// The cells begin..end-1.
@@ -77,13 +88,13 @@ class Trail {
   }
 
   /// `change` on each step of a path from `index` on.
-  void change_along(std::size_t index, const std::vector<std::uint8_t>& directions, double factor,
-                    double amount, bool both_ways) {
+  void change_along(std::size_t index, std::span<const std::uint8_t> directions, double factor, double amount,
+                    bool both_ways) {
     change_along({0, rows_.size()}, index, directions, factor, amount, both_ways);
   }
   /// The same, but only on steps out of these cells. Threads that share the cells out among them may call
   /// this at the same time: nobody else touches a step that is somebody's.
-  void change_along(CellRange cells, std::size_t index, const std::vector<std::uint8_t>& directions,
+  void change_along(CellRange cells, std::size_t index, std::span<const std::uint8_t> directions,
                     double factor, double amount, bool both_ways);
 
   /// Keeps every tau in lower..upper from now on. 0 <= lower <= upper.
@@ -102,15 +113,15 @@ class Trail {
   float& stored(std::size_t index, int direction);
   const float& stored(std::size_t index, int direction) const;
   float strength_of(float stored) const;
-  template <bool both_ways, bool everywhere>
-  void change_strengths(CellRange cells, std::size_t index, const std::vector<std::uint8_t>& directions,
-                        double factor, double amount);
+  void change_strengths(CellRange cells, std::size_t index, std::span<const std::uint8_t> directions,
+                        double factor, double amount, bool both_ways);
   void rescale();
   /// Multiplies every tau out, within the limits; the scale is 1 afterwards.
   void rewrite(double persistence = 1);
   void rewrite_strengths();
 
   const MoveTable& moves_;
+  RowSteps steps_;
   double alpha_;
   double scale_ = 1;
   double smallest_scale_;

@@ -248,7 +248,9 @@ TEST(Executors, AreListedInTheOrderInWhichHelpTextsShowThem) {
 TEST(Executors, TheDefaultIsOneOfThemAndUnderTheThreadSanitizerTheOneItSeesThrough) {
   const std::vector<std::string> names = executor_names();
   EXPECT_NE(std::find(names.begin(), names.end(), default_backend()), names.end()) << default_backend();
-  if (thread_sanitizer) EXPECT_EQ(default_backend(), "threads");
+  if (thread_sanitizer) {
+    EXPECT_EQ(default_backend(), "threads");
+  }
 }
 
 TEST(Executors, AnUnknownNameIsRefusedWithTheNearestMatch) {
