@@ -102,7 +102,9 @@ void Colony::make_walkers(const Executor& executor) {
   group_size_ = (ants + count - 1) / count;
   const std::size_t lanes = std::min(group_size_, Walker::lanes_for(nest_.size()));
   walkers_.clear();
+  queues_.clear();
   for (std::size_t k = 0; k < count; ++k) {
+    queues_.emplace_back().join(queues_.front());
     walkers_.emplace_back(groups_.empty() ? *ground_ : *groups_[k]->ground, lanes);
   }
 }
@@ -133,8 +135,9 @@ std::size_t Colony::walk_all(Context& context, const Stream& stream) {
     walkers_[walker].run(ants, stream, limit, context.meter, walks_);
   };
   if (groups_.empty()) {
-    AntQueue ants(0, batch);
-    for_each_index(context.executor, walkers_.size(), 1, [&](std::size_t walker) { walk(walker, ants); });
+    const std::size_t count = walkers_.size();
+    for (std::size_t k = 0; k < count; ++k) queues_[k].fill(batch * k / count, batch * (k + 1) / count);
+    for_each_index(context.executor, count, 1, [&](std::size_t walker) { walk(walker, queues_[walker]); });
   } else {
     context.executor.run(batch, group_size_, [&](std::size_t begin, std::size_t end) {
       AntQueue ants(begin, end);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -13,6 +14,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "algorithms/aco/ant_queue.hpp"
 #include "algorithms/aco/nest.hpp"
 #include "algorithms/aco/pheromone_rule.hpp"
 #include "algorithms/aco/trail.hpp"
@@ -91,6 +93,7 @@ class Colony {
   std::optional<Ground> ground_;
   std::vector<std::unique_ptr<Group>> groups_;
   std::vector<Walker> walkers_;  // one per thread, or per group
+  std::deque<AntQueue> queues_;  // one per walker; groups have theirs
   std::size_t group_size_ = 1;
   std::vector<Walk> walks_;
   std::vector<double> amounts_;  // a slot per walk

@@ -51,16 +51,20 @@ void Walker::run(AntQueue& ants, const Stream& stream, std::uint64_t step_limit,
 template <bool greedy, bool with_places, bool backs_up, bool far>
 void Walker::run_lanes(AntQueue& ants) {
   const Terms terms(ground_);
-  std::size_t ant = 0;
   std::size_t under_way = 0;
-  while (under_way < lanes_.size() && ants.take(ant)) begin(under_way++, ant);
+  while (under_way < lanes_.size()) {
+    const std::size_t ant = ants.take();
+    if (ant == AntQueue::none) break;
+    begin(under_way++, ant);
+  }
   while (under_way > 0) {
     draws_.advance(under_way);
     for (std::size_t k = 0; k < under_way;) {
       const Outcome outcome = step<greedy, with_places, backs_up, far>(k, terms);
       if (outcome != Outcome::goes_on) {
         finish(lanes_[k], outcome == Outcome::arrived);
-        if (!ants.take(ant)) {
+        const std::size_t ant = ants.take();
+        if (ant == AntQueue::none) {
           --under_way;
           std::swap(lanes_[k], lanes_[under_way]);
           draws_.move(under_way, k);

@@ -10,11 +10,11 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "algorithms/aco/ant_queue.hpp"
 #include "algorithms/aco/choice.hpp"
 #include "algorithms/aco/dead_end.hpp"
 #include "algorithms/aco/nest.hpp"
@@ -35,22 +35,6 @@ struct Ground {
   std::uint64_t max_steps = 0;  ///< a walk of more decisions is given up
   bool keep_the_dead = false;   ///< keep the path of ants that did not arrive
   bool keep_popped = false;     ///< keep the steps that were taken back
-};
-
-/// Ants begin..end-1 of an iteration, each handed out once: to whichever walker, on whichever thread, has a
-/// free lane. So nobody runs out of ants while another has a heap of them.
-class AntQueue {
- public:
-  AntQueue(std::size_t begin, std::size_t end) : next_(begin), end_(end) {}
-  /// False when all are handed out.
-  bool take(std::size_t& ant) {
-    ant = next_.fetch_add(1, std::memory_order_relaxed);
-    return ant < end_;
-  }
-
- private:
-  std::atomic<std::size_t> next_;
-  std::size_t end_;
 };
 
 /// Runs ants one after another or side by side. Not for use by two threads at once.

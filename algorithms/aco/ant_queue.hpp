@@ -1,0 +1,61 @@
+// Ants that wait to be walked, each handed out once.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+
+namespace pathrace::algorithms {
+
+/// Ants begin..end-1 of an iteration. Every walker has a queue, on a cache line of its own, and the queues
+/// form a ring: whose own is empty takes from the next. So nobody runs out of ants while another has a heap
+/// of them, and until then no two cores want the same line.
+class alignas(64) AntQueue {
+ public:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  AntQueue() = default;
+  AntQueue(std::size_t begin, std::size_t end) { fill(begin, end); }
+  AntQueue(const AntQueue&) = delete;
+  AntQueue& operator=(const AntQueue&) = delete;
+
+  /// While nobody takes.
+  void fill(std::size_t begin, std::size_t end) {
+    next_.store(begin, std::memory_order_relaxed);
+    end_ = end;
+  }
+  /// Into the ring of `other`, right before it. While nobody takes.
+  void join(AntQueue& other) {
+    AntQueue* last = &other;
+    while (last->neighbour_ != &other) last = last->neighbour_;
+    last->neighbour_ = this;
+    neighbour_ = &other;
+  }
+
+  /// An ant, or `none` when all are handed out.
+  std::size_t take() {
+    const std::size_t ant = take_own();
+    return ant != none ? ant : take_from_others();
+  }
+
+ private:
+  std::size_t take_own() {
+    if (next_.load(std::memory_order_relaxed) >= end_) return none;
+    const std::size_t ant = next_.fetch_add(1, std::memory_order_relaxed);
+    return ant < end_ ? ant : none;
+  }
+
+  // Rare, and to be kept out of the walkers' loop.
+  [[gnu::noinline]] std::size_t take_from_others() {
+    for (AntQueue* queue = neighbour_; queue != this; queue = queue->neighbour_) {
+      const std::size_t ant = queue->take_own();
+      if (ant != none) return ant;
+    }
+    return none;
+  }
+
+  std::atomic<std::size_t> next_{0};
+  std::size_t end_ = 0;
+  AntQueue* neighbour_ = this;
+};
+
+}  // namespace pathrace::algorithms
