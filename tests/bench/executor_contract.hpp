@@ -1,15 +1,17 @@
 // What the tests of executors share: every executor, with several numbers of threads.
 //
 // A rendezvous is a loop with as many chunks as threads, in which every chunk waits until all have begun:
-// it only ends when that many threads run at the same time, however few the cores are.
+// it only succeeds when that many threads run at the same time, however few the cores are.
 #pragma once
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <barrier>
+#include <chrono>
+#include <condition_variable>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -34,10 +36,32 @@ inline Indices visits(Executor& executor, std::size_t count, std::size_t grain) 
 }
 
 // Ends only when `executor.threads()` threads are in it together.
+// True when as many threads as the executor has were in chunks of one loop at the same time.
+inline bool all_meet(Executor& executor) {
+  using namespace std::chrono_literals;
+  const auto expected = static_cast<std::size_t>(executor.threads());
+  std::mutex mutex;
+  std::condition_variable somebody_came;
+  std::size_t present = 0;
+  bool in_vain = false;
+  for_each_index(executor, expected, 1, [&](std::size_t) {
+    std::unique_lock lock(mutex);
+    ++present;
+    somebody_came.notify_all();
+    const auto over = [&] { return in_vain || present == expected; };
+    if (!somebody_came.wait_for(lock, 10s, over)) in_vain = true;
+  });
+  return !in_vain;
+}
+
+// TBB promises no thread to anybody, and very rarely one does not come: then once more.
 inline void rendezvous(Executor& executor) {
-  std::barrier together(executor.threads());
-  for_each_index(executor, static_cast<std::size_t>(executor.threads()), 1,
-                 [&](std::size_t) { together.arrive_and_wait(); });
+  constexpr int attempts = 4;
+  for (int attempt = 0; attempt < attempts; ++attempt) {
+    if (all_meet(executor)) return;
+    executor.restart_census();
+  }
+  ADD_FAILURE() << executor.name() << ": " << executor.threads() << " threads never came together";
 }
 
 class EveryExecutor : public ::testing::TestWithParam<std::tuple<std::string, int>> {
