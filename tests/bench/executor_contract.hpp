@@ -17,14 +17,9 @@
 #include <vector>
 
 #include "bench/executors.hpp"
-#include "tests/support/sanitizers.hpp"
+#include "tests/support/trials.hpp"
 
 namespace pathrace::bench {
-
-inline std::vector<std::string> names_under_test() {
-  return pathrace::testing::thread_sanitizer ? std::vector<std::string>{"serial", "threads"}
-                                             : executor_names();
-}
 
 using Indices = std::vector<int>;
 
@@ -35,7 +30,6 @@ inline Indices visits(Executor& executor, std::size_t count, std::size_t grain) 
   return {visited.begin(), visited.end()};
 }
 
-// Ends only when `executor.threads()` threads are in it together.
 // True when as many threads as the executor has were in chunks of one loop at the same time.
 inline bool all_meet(Executor& executor) {
   using namespace std::chrono_literals;
@@ -77,7 +71,8 @@ class EveryExecutor : public ::testing::TestWithParam<std::tuple<std::string, in
 };
 
 inline auto executors_and_threads() {
-  return ::testing::Combine(::testing::ValuesIn(names_under_test()), ::testing::Values(1, 2, 4));
+  return ::testing::Combine(::testing::ValuesIn(pathrace::testing::executors_under_test()),
+                            ::testing::Values(1, 2, 4));
 }
 
 inline std::string test_name(const ::testing::TestParamInfo<EveryExecutor::ParamType>& info) {

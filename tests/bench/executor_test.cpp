@@ -20,6 +20,7 @@
 namespace pathrace::bench {
 namespace {
 
+using pathrace::testing::executors_under_test;
 using pathrace::testing::thread_sanitizer;
 
 class ExecutorContract : public EveryExecutor {};
@@ -168,7 +169,7 @@ TEST_P(ExecutorContract, ALoopMayRunLoopsOfAnotherExecutorInItsBodyAndThoseGetTh
 }
 
 TEST_P(ExecutorContract, ALoopMayRunLoopsOfEveryOtherKindInItsBody) {
-  for (const std::string& name : names_under_test()) {
+  for (const std::string& name : executors_under_test()) {
     const std::unique_ptr<Executor> inner = make_executor(name, 2);
     std::vector<std::atomic<int>> visited(8 * 9);
     for_each_index(executor(), 8, 1, [&](std::size_t a) {
@@ -224,7 +225,7 @@ INSTANTIATE_TEST_SUITE_P(Executors, ExecutorContract, executors_and_threads(), t
 
 TEST(Executors, TwoKindsAndTwoSizesAtATimeAllGetTheirThreads) {
   std::vector<std::unique_ptr<Executor>> executors;
-  for (const std::string& name : names_under_test()) {
+  for (const std::string& name : executors_under_test()) {
     for (const int threads : {2, 5, 3}) executors.push_back(make_executor(name, threads));
   }
   for (const std::unique_ptr<Executor>& executor : executors) {
