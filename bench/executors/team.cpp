@@ -34,10 +34,11 @@ std::uint32_t await(const std::atomic<std::uint32_t>& word, const Wished& wished
 
 void Team::run(Chunks& chunks) {
   chunks_ = &chunks;
-  next_.store(0, std::memory_order_relaxed);
+  next_.store(1, std::memory_order_relaxed);
   const std::uint32_t loop = gate_.load(std::memory_order_relaxed) + one_loop;
   gate_.store(loop | open, std::memory_order_seq_cst);
   gate_.notify_all();
+  chunks.run(0);
   work(chunks);
   gate_.fetch_and(~open, std::memory_order_acq_rel);
   await(gate_, [](std::uint32_t gate) { return (gate & helpers) == 0; });
