@@ -6,9 +6,9 @@
 
 namespace pathrace::algorithms {
 
-/// Ants begin..end-1 of an iteration. Every walker has a queue, on a cache line of its own, and the queues
-/// form a ring: whose own is empty takes from the next. So nobody runs out of ants while another has a heap
-/// of them, and until then no two cores want the same line.
+/// Some ants of an iteration, every `stride`-th of a range. Every walker has a queue, on a cache line of its
+/// own, and the queues form a ring: whose own is empty takes from the next. So nobody runs out of ants while
+/// another has a heap of them, and until then no two cores want the same line.
 class alignas(64) AntQueue {
  public:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
@@ -19,9 +19,10 @@ class alignas(64) AntQueue {
   AntQueue& operator=(const AntQueue&) = delete;
 
   /// While nobody takes.
-  void fill(std::size_t begin, std::size_t end) {
+  void fill(std::size_t begin, std::size_t end, std::size_t stride = 1) {
     next_.store(begin, std::memory_order_relaxed);
     end_ = end;
+    stride_ = stride;
   }
   /// Into the ring of `other`, right before it. While nobody takes.
   void join(AntQueue& other) {
@@ -40,7 +41,7 @@ class alignas(64) AntQueue {
  private:
   std::size_t take_own() {
     if (next_.load(std::memory_order_relaxed) >= end_) return none;
-    const std::size_t ant = next_.fetch_add(1, std::memory_order_relaxed);
+    const std::size_t ant = next_.fetch_add(stride_, std::memory_order_relaxed);
     return ant < end_ ? ant : none;
   }
 
@@ -55,6 +56,7 @@ class alignas(64) AntQueue {
 
   std::atomic<std::size_t> next_{0};
   std::size_t end_ = 0;
+  std::size_t stride_ = 1;
   AntQueue* neighbour_ = this;
 };
 

@@ -23,10 +23,9 @@ class AntSystem final : public PheromoneRule {
   /// m / C_nn (Dorigo, Stuetzle, "Ant Colony Optimization", 2004).
   double initial_pheromone(const Scout& scout) const override { return settings().ants / scout.length; }
 
-  void learn(Colony& colony, const Harvest& harvest) override {
-    colony.trail().evaporate(1 - settings().evaporation);
-    colony.deposit_all(harvest.count);
-  }
+  bool deposits_early() const override { return true; }
+
+  void learn(Colony& colony, const Harvest& harvest) override { colony.evaporate_and_deposit(harvest.count); }
 };
 
 }  // namespace

@@ -25,6 +25,8 @@ Trail::Heuristic heuristic(const ColonySettings& settings, const Nest& nest) {
 
 constexpr std::size_t steps_worth_sharing = 8192;  // some thirty microseconds of deposits
 
+constexpr std::size_t cells_worth_a_draft = 4096;  // a draft is a copy of them all
+
 std::uint64_t max_steps(const ColonySettings& settings, const Nest& nest) {
   if (settings.max_steps > 0) return static_cast<std::uint64_t>(settings.max_steps);
   return 20 * static_cast<std::uint64_t>(nest.free_cells());
@@ -107,6 +109,10 @@ void Colony::make_walkers(const Executor& executor) {
     queues_.emplace_back().join(queues_.front());
     walkers_.emplace_back(groups_.empty() ? *ground_ : *groups_[k]->ground, lanes);
   }
+  deposits_.reset();
+  if (groups_.empty() && count > 1 && rule_.deposits_early() && nest_.size() <= cells_worth_a_draft) {
+    deposits_.emplace(rule_, nest_, *trail_, walks_);
+  }
 }
 
 void Colony::regroup(const std::vector<Taste>& tastes) {
@@ -128,15 +134,18 @@ void Colony::regroup(const std::vector<Taste>& tastes) {
   }
 }
 
+// The first walker deposits, too. Ants are dealt out in turn, so that they come back nearly in their order.
 std::size_t Colony::walk_all(Context& context, const Stream& stream) {
   const std::size_t batch = context.meter.admitted(walks_.size());
-  const std::uint64_t limit = context.meter.checks_left();
+  const Outing outing{stream, context.meter.checks_left(), context.meter, walks_, ++round_};
   const auto walk = [&](std::size_t walker, AntQueue& ants) {
-    walkers_[walker].run(ants, stream, limit, context.meter, walks_);
+    EarlyDeposits* const deposits = walker == 0 && deposits_ ? &*deposits_ : nullptr;
+    if (deposits != nullptr) deposits->begin(batch, outing.round);
+    walkers_[walker].run(ants, outing, deposits);
   };
   if (groups_.empty()) {
     const std::size_t count = walkers_.size();
-    for (std::size_t k = 0; k < count; ++k) queues_[k].fill(batch * k / count, batch * (k + 1) / count);
+    for (std::size_t k = 0; k < count; ++k) queues_[k].fill(k, batch, count);
     for_each_index(context.executor, count, 1, [&](std::size_t walker) { walk(walker, queues_[walker]); });
   } else {
     context.executor.run(batch, group_size_, [&](std::size_t begin, std::size_t end) {
@@ -192,6 +201,12 @@ void Colony::keep_if_better(const Walk& walk, Harvest& harvest, Meter& meter) {
 
 void Colony::deposit(const Walk& walk, double amount) {
   change(walk, 1, amount);
+}
+
+void Colony::evaporate_and_deposit(std::size_t count) {
+  if (deposits_ && deposits_->finish(count)) return;
+  trail_->evaporate(1 - settings_.evaporation);
+  deposit_all(count);
 }
 
 // Few steps are not worth a loop on several threads. Shared out, a step's deposits still come in ant order.

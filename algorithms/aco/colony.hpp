@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "algorithms/aco/ant_queue.hpp"
+#include "algorithms/aco/early_deposits.hpp"
 #include "algorithms/aco/nest.hpp"
 #include "algorithms/aco/pheromone_rule.hpp"
 #include "algorithms/aco/trail.hpp"
@@ -50,6 +51,8 @@ class Colony {
   /// Best so far; has arrived once there is one.
   const Walk& best() const { return best_; }
 
+  /// During a run: tau := (1 - evaporation) * tau on every step, then deposit_all(count).
+  void evaporate_and_deposit(std::size_t count);
   /// During a run: each of the first `count` ants that arrived adds the rule's amount to the steps of its
   /// path, in ant order.
   void deposit_all(std::size_t count);
@@ -95,6 +98,8 @@ class Colony {
   std::vector<Walker> walkers_;  // one per thread, or per group
   std::deque<AntQueue> queues_;  // one per walker; groups have theirs
   std::size_t group_size_ = 1;
+  std::uint32_t round_ = 0;                // of walks, over all runs
+  std::optional<EarlyDeposits> deposits_;  // where several threads walk and the rule admits it
   std::vector<Walk> walks_;
   std::vector<double> amounts_;  // a slot per walk
   Walk best_;

@@ -28,9 +28,10 @@ class ElitistAntSystem final : public PheromoneRule {
     return (elite_ + settings().ants) * settled(scout.length);
   }
 
+  bool deposits_early() const override { return true; }
+
   void learn(Colony& colony, const Harvest& harvest) override {
-    colony.trail().evaporate(1 - settings().evaporation);
-    colony.deposit_all(harvest.count);
+    colony.evaporate_and_deposit(harvest.count);
     if (elite_ > 0 && colony.best().arrived) colony.deposit(colony.best(), elite_ * amount(colony.best()));
   }
 

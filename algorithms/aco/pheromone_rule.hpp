@@ -53,6 +53,10 @@ class PheromoneRule {
   /// True: walks list the steps that were taken back.
   virtual bool keeps_popped() const { return false; }
 
+  /// True: revise() alters no walk, and learn() begins with Colony::evaporate_and_deposit. Deposits may then
+  /// be made while other ants still walk, and `amount` be called by another thread.
+  virtual bool deposits_early() const { return false; }
+
   /// Once, when nest and trail stand: limits, an initial field over the even one.
   virtual void begin(Colony& colony);
   /// After all ants have walked and paid, before the best is chosen: may alter walks or add work.

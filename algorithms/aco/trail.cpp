@@ -146,6 +146,35 @@ void Trail::change_strengths(CellRange cells, std::size_t index, std::span<const
   along([=](float& tau) { tau = std::min(std::max(std::max(tau, least) * kept + added, least), most); });
 }
 
+bool Trail::begin_draft(double persistence) {
+  draft_scale_ = scale_ * persistence;
+  if (!stored_.empty() || draft_scale_ < smallest_scale_) return false;
+  if (draft_.empty()) {
+    draft_ = rows_;
+    for (std::size_t index = 0; index < rows_.size(); ++index) {
+      if (moves_[index] != 0) used_.push_back(static_cast<std::uint32_t>(index));
+    }
+  }
+  for (const std::uint32_t index : used_) draft_[index].strength = rows_[index].strength;
+  return true;
+}
+
+void Trail::deposit_on_draft(std::size_t index, std::span<const std::uint8_t> directions, double amount,
+                             bool both_ways) {
+  const auto [least, most] = bounds_at(draft_scale_);
+  const auto added = static_cast<float>(amount / draft_scale_);
+  const auto add = [=](float& tau) { tau = std::min(std::max(tau, least) + added, most); };
+  float* const row = draft_[index].strength.data();
+  both_ways ? for_each_strength<true, true>(row, 0, row, steps_, directions, add)
+            : for_each_strength<false, true>(row, 0, row, steps_, directions, add);
+}
+
+void Trail::adopt_draft() {
+  rows_.swap(draft_);
+  scale_ = draft_scale_;
+  rescale();
+}
+
 void Trail::reset(double value) {
   scale_ = 1;
   rescale();
@@ -171,9 +200,14 @@ void Trail::limit(double lower, double upper) {
   if (less_room_above) rewrite();
 }
 
+Trail::Bounds Trail::bounds_at(double scale) const {
+  return {static_cast<float>(lower_ / scale), std::min(static_cast<float>(upper_ / scale), largest_stored)};
+}
+
 void Trail::rescale() {
-  least_ = static_cast<float>(lower_ / scale_);
-  most_ = std::min(static_cast<float>(upper_ / scale_), largest_stored);
+  const auto [least, most] = bounds_at(scale_);
+  least_ = least;
+  most_ = most;
   least_strength_ = stored_.empty() ? least_ : strength_of(least_);
 }
 

@@ -97,6 +97,16 @@ class Trail {
   void change_along(CellRange cells, std::size_t index, std::span<const std::uint8_t> directions,
                     double factor, double amount, bool both_ways);
 
+  /// Begins a draft of the next trail: this one with `persistence` times its pheromone. What ants read stays
+  /// as it is until the draft is adopted. False when there can be none: alpha is not 1, or the whole trail is
+  /// due for rewriting.
+  bool begin_draft(double persistence);
+  /// `change_along` on the draft, with factor 1 and amount >= 0. The trail may be read meanwhile.
+  void deposit_on_draft(std::size_t index, std::span<const std::uint8_t> directions, double amount,
+                        bool both_ways);
+  /// The draft becomes the trail: bit by bit what `evaporate` and the same deposits would have made of it.
+  void adopt_draft();
+
   /// Keeps every tau in lower..upper from now on. 0 <= lower <= upper.
   void limit(double lower, double upper);
   double lower_limit() const { return lower_; }
@@ -105,9 +115,17 @@ class Trail {
   /// No ant takes this step any more.
   void close(std::size_t index, int direction) {
     rows_[index].desirability[static_cast<std::size_t>(direction)] = 0;
+    if (!draft_.empty()) draft_[index].desirability[static_cast<std::size_t>(direction)] = 0;
   }
 
  private:
+  // The bounds of what is stored, at a scale.
+  struct Bounds {
+    float least;  // lower limit / scale
+    float most;   // upper limit / scale
+  };
+
+  using Rows = std::vector<TrailRow, HugePages<TrailRow>>;
   using Stored = std::array<float, direction_count>;
 
   float& stored(std::size_t index, int direction);
@@ -115,6 +133,7 @@ class Trail {
   float strength_of(float stored) const;
   void change_strengths(CellRange cells, std::size_t index, std::span<const std::uint8_t> directions,
                         double factor, double amount, bool both_ways);
+  Bounds bounds_at(double scale) const;
   void rescale();
   /// Multiplies every tau out, within the limits; the scale is 1 afterwards.
   void rewrite(double persistence = 1);
@@ -132,8 +151,11 @@ class Trail {
   float least_strength_ = 0;
   float least_desirability_ = 1;  // of legal steps
   float unit_ = 1;                // stored tau whose strength is 1, when alpha is not 1
-  std::vector<TrailRow, HugePages<TrailRow>> rows_;
-  std::vector<Stored> stored_;  // tau / scale, when alpha is not 1; else the strengths themselves
+  Rows rows_;
+  Rows draft_;  // of the same desirabilities; empty until one is begun
+  double draft_scale_ = 1;
+  std::vector<std::uint32_t> used_;  // rows with legal steps; empty until a draft is begun
+  std::vector<Stored> stored_;       // tau / scale, when alpha is not 1; else the strengths themselves
 };
 
 }  // namespace pathrace::algorithms

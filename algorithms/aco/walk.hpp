@@ -19,8 +19,10 @@ struct Step {
   friend bool operator==(const Step&, const Step&) = default;
 };
 
-struct alignas(64) Walk {
+/// Two cache lines, which processors fetch together: neighbours in a vector share neither.
+struct alignas(128) Walk {
   bool arrived = false;
+  std::uint32_t round = 0;  ///< in which it was walked; written last, for who waits for it on another thread
   std::vector<std::uint8_t>
       directions;               ///< of the path; of an ant that died, only where the rule asks for it
   LatticeLength length;         ///< of the path

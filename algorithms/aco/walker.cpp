@@ -1,6 +1,7 @@
 #include "algorithms/aco/walker.hpp"
 
 #include <algorithm>
+#include <atomic>
 
 #include "algorithms/aco/choice.hpp"
 
@@ -28,12 +29,10 @@ Walker::Walker(const Ground& ground, std::size_t lanes) : ground_(ground), lanes
   }
 }
 
-void Walker::run(AntQueue& ants, const Stream& stream, std::uint64_t step_limit, const Meter& meter,
-                 std::vector<Walk>& walks) {
-  stream_ = &stream;
-  meter_ = &meter;
-  walks_ = &walks;
-  limit_ = std::min(step_limit, ground_.max_steps);
+void Walker::run(AntQueue& ants, const Outing& outing, EarlyDeposits* deposits) {
+  outing_ = &outing;
+  deposits_ = deposits;
+  limit_ = std::min(outing.step_limit, ground_.max_steps);
   const bool far = is_far(ground_.nest.size());
   const auto run = [&]<bool greedy, bool with_places, bool backs_up>() {
     far ? run_lanes<greedy, with_places, backs_up, true>(ants)
@@ -63,6 +62,7 @@ void Walker::run_lanes(AntQueue& ants) {
       const Outcome outcome = step<greedy, with_places, backs_up, far>(k, terms);
       if (outcome != Outcome::goes_on) {
         finish(lanes_[k], outcome == Outcome::arrived);
+        if (deposits_ != nullptr) deposits_->go_on();
         const std::size_t ant = ants.take();
         if (ant == AntQueue::none) {
           --under_way;
@@ -89,14 +89,15 @@ void Walker::begin(std::size_t k, std::size_t ant) {
   lane.left = 0;
   lane.pause = 0;
   lane.pops = 0;
-  draws_.set(k, stream_->fork(ant));
+  draws_.set(k, outing_->stream.fork(ant));
   lane.ant = ant;
+  __builtin_prefetch(&outing_->walks[ant], 1);  // the thread that deposits may have read it
   lane.popped.clear();
   if (!lane.place.empty()) lane.place[lane.cell] = 1;
 }
 
 void Walker::finish(Lane& lane, bool arrived) const {
-  Walk& walk = (*walks_)[lane.ant];
+  Walk& walk = outing_->walks[lane.ant];
   walk.arrived = arrived;
   walk.decisions = lane.decisions();
   walk.pops = lane.pops;
@@ -106,6 +107,7 @@ void Walker::finish(Lane& lane, bool arrived) const {
   }
   walk.length = length_of(walk.directions);
   if (ground_.keep_popped) walk.popped = lane.popped;
+  std::atomic_ref(walk.round).store(outing_->round, std::memory_order_release);
   if (lane.place.empty()) return;
   std::size_t cell = ground_.nest.start();
   lane.place[cell] = 0;
@@ -118,7 +120,7 @@ void Walker::finish(Lane& lane, bool arrived) const {
 bool Walker::may_go_on(Lane& lane) const {
   const std::uint64_t decisions = lane.pause;
   if (decisions == limit_) return false;
-  if (decisions > 0 && meter_->out_of_time()) return false;
+  if (decisions > 0 && outing_->meter.out_of_time()) return false;
   lane.pause = std::min(limit_, decisions + clock_interval);
   lane.left = lane.pause - decisions;
   return true;

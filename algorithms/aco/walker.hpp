@@ -17,6 +17,7 @@
 #include "algorithms/aco/ant_queue.hpp"
 #include "algorithms/aco/choice.hpp"
 #include "algorithms/aco/dead_end.hpp"
+#include "algorithms/aco/early_deposits.hpp"
 #include "algorithms/aco/nest.hpp"
 #include "algorithms/aco/trail.hpp"
 #include "algorithms/aco/walk.hpp"
@@ -37,6 +38,15 @@ struct Ground {
   bool keep_popped = false;     ///< keep the steps that were taken back
 };
 
+/// What all ants of an iteration share.
+struct Outing {
+  const Stream& stream;      ///< ant i draws from stream.fork(i)
+  std::uint64_t step_limit;  ///< decisions of an ant
+  const Meter& meter;
+  std::vector<Walk>& walks;  ///< a slot per ant
+  std::uint32_t round = 0;   ///< what Walk::round is set to
+};
+
 /// Runs ants one after another or side by side. Not for use by two threads at once.
 class Walker {
  public:
@@ -50,10 +60,9 @@ class Walker {
   /// 1 to Draws::capacity lanes.
   explicit Walker(const Ground& ground, std::size_t lanes);
 
-  /// Ant i draws from stream.fork(i), one draw per decision (loop erasure draws twice when it is stuck), and
-  /// ends at the goal, dead, or after `step_limit` decisions. Writes walks[i] for each ant i that it took.
-  void run(AntQueue& ants, const Stream& stream, std::uint64_t step_limit, const Meter& meter,
-           std::vector<Walk>& walks);
+  /// Walks ants of the queue until it is empty: one draw per decision (loop erasure draws twice when it is
+  /// stuck), to the goal, to death, or to the limit. With `deposits`, goes on with them after each ant.
+  void run(AntQueue& ants, const Outing& outing, EarlyDeposits* deposits = nullptr);
 
  private:
   static constexpr std::uint64_t clock_interval = 1024;
@@ -120,9 +129,8 @@ class Walker {
   std::vector<Lane> lanes_;
   Draws draws_;  // a column per lane
   // of the current run
-  const Stream* stream_ = nullptr;
-  const Meter* meter_ = nullptr;
-  std::vector<Walk>* walks_ = nullptr;
+  const Outing* outing_ = nullptr;
+  EarlyDeposits* deposits_ = nullptr;
   std::uint64_t limit_ = 0;
 };
 

@@ -24,6 +24,15 @@ TEST(AntQueue, HandsOutItsAntsInOrderAndThenNone) {
   EXPECT_EQ(AntQueue().take(), AntQueue::none);
 }
 
+TEST(AntQueue, HandsOutEverySoManyth) {
+  AntQueue queue;
+  queue.fill(1, 8, 3);
+  EXPECT_EQ(queue.take(), 1U);
+  EXPECT_EQ(queue.take(), 4U);
+  EXPECT_EQ(queue.take(), 7U);
+  EXPECT_EQ(queue.take(), AntQueue::none);
+}
+
 // The ring 0 -> 2 -> 1 -> 0: who joins comes right before the one it names.
 TEST(AntQueue, AnEmptyOneTakesFromItsNeighboursInTheOrderOfTheRing) {
   AntQueue queues[3];

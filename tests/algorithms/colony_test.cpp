@@ -82,6 +82,27 @@ TEST(Colony, DepositsOfLongWalksAreSharedOutAndNothingElseChanges) {
   }
 }
 
+// The answer is read off the last trail, and the last ants are cut: none of their deposits may be in it.
+TEST(Colony, TheTrailIsTheSameOnSeveralThreadsWhereverTheBudgetEnds) {
+  const Scenario scenario = scenarios::Library().load("dense/20-20/2");
+  for (const std::string variant : {"as:", "eas:", "tan2016:mu=1,", "tan2016:", "as:alpha=2,"}) {
+    const std::string call = variant + "dead_end=backtrack,answer=argmax_pheromone";
+    for (const std::uint64_t checks : {5000U, 12345U, 40000U}) {
+      Budget budget = evaluations(900);
+      budget.checks = checks;
+      const TrialRecord expected = run({call, budget}, scenario);
+      BackwardsExecutor backwards;
+      EXPECT_EQ(digest(run_on(backwards, {call, budget}, scenario)), digest(expected)) << call << checks;
+      for (const std::string& backend : testing::executors_under_test()) {
+        for (const int threads : {2, 5}) {
+          EXPECT_EQ(digest(run({call, budget, backend, threads}, scenario)), digest(expected))
+              << call << ' ' << checks << ' ' << backend << ' ' << threads;
+        }
+      }
+    }
+  }
+}
+
 TEST(Colony, CountsArrivalsAndStepsBack) {
   const Scenario scenario = scenarios::Library().load("trap-u/20/1");
   for (const std::string& variant : variants) {

@@ -232,6 +232,65 @@ TEST(Trail, AlongAPathStepByStepAndSharedOutByCellsAreTheSameBits) {
   }
 }
 
+// As often as `evaporate` rewrites the trail, there is no draft to be had.
+TEST(Trail, AnAdoptedDraftIsEvaporationAndTheSameDepositsBitForBit) {
+  const std::vector<std::string> rows(6, ".......");
+  for (const bool both_ways : {false, true}) {
+    Stream stream(6);
+    Field plain(rows, MoveRule::free, 1, 1, equal);
+    Field drafted(rows, MoveRule::free, 1, 1, equal);
+    for (Field* field : {&plain, &drafted}) field->trail.limit(0.25, 9);
+    int refused = 0;
+    for (int round = 0; round < 200; ++round) {
+      const bool draft = drafted.trail.begin_draft(0.8);
+      refused += draft ? 0 : 1;
+      if (!draft) drafted.trail.evaporate(0.8);
+      plain.trail.evaporate(0.8);
+      for (int k = 0; k < 5; ++k) {
+        const std::size_t first = plain.at(stream.between(0, 6), stream.between(0, 5));
+        const std::vector<std::uint8_t> walk = random_walk(plain, first, stream);
+        const double amount = 4 * stream.uniform();
+        plain.trail.change_along(first, walk, 1, amount, both_ways);
+        draft ? drafted.trail.deposit_on_draft(first, walk, amount, both_ways)
+              : drafted.trail.change_along(first, walk, 1, amount, both_ways);
+      }
+      if (draft) drafted.trail.adopt_draft();
+      ASSERT_EQ(drafted.trail.least_strength(), plain.trail.least_strength());
+      for (std::size_t i = 0; i < plain.moves.size(); ++i) {
+        if (plain.moves[i] == 0) continue;  // no ant reads it
+        ASSERT_EQ(drafted.trail.rows()[i].strength, plain.trail.rows()[i].strength) << round << ' ' << i;
+      }
+    }
+    EXPECT_GT(refused, 0);
+    EXPECT_LT(refused, 5);
+  }
+}
+
+TEST(Trail, ADraftThatIsNotAdoptedChangesNothing) {
+  Field field(open_ground, MoveRule::free, 1, 1, equal);
+  const std::size_t middle = field.at(1, 1);
+  ASSERT_TRUE(field.trail.begin_draft(0.5));
+  field.trail.deposit_on_draft(middle, std::vector<std::uint8_t>{0}, 3, true);
+  EXPECT_EQ(field.trail.pheromone(middle, 0), 1);
+  ASSERT_TRUE(field.trail.begin_draft(0.5));
+  field.trail.adopt_draft();
+  EXPECT_EQ(field.trail.pheromone(middle, 0), 0.5);
+}
+
+TEST(Trail, ThereIsNoDraftWhereStrengthsArePowers) {
+  EXPECT_FALSE(Field(open_ground, MoveRule::free, 2, 1, equal).trail.begin_draft(0.5));
+}
+
+TEST(Trail, AStepClosedBesideADraftStaysClosed) {
+  Field field(open_ground, MoveRule::free, 1, 1, equal);
+  const std::size_t middle = field.at(1, 1);
+  ASSERT_TRUE(field.trail.begin_draft(0.5));
+  field.trail.close(middle, 4);
+  field.trail.adopt_draft();
+  EXPECT_EQ(field.trail.weight(middle, 4), 0);
+  EXPECT_GT(field.trail.weight(middle, 5), 0);
+}
+
 TEST(Trail, AClosedStepWeighsNothing) {
   Field field(open_ground, MoveRule::free, 1, 1, equal);
   const std::size_t middle = field.at(1, 1);

@@ -34,7 +34,9 @@ struct Field {
     std::vector<Walk> walks(ants);
     const Ground shared = ground(dead_end);
     AntQueue queue(0, ants);
-    Walker(shared, lanes).run(queue, Stream(seed), limit, Meter({}), walks);
+    const Stream stream(seed);
+    const Meter meter({});
+    Walker(shared, lanes).run(queue, {stream, limit, meter, walks});
     return walks;
   }
 
@@ -115,6 +117,18 @@ TEST(Walker, StepsTakenBackAreListedInTheirOrder) {
   const auto cell = [&](int x) { return static_cast<std::uint32_t>(field.grid.index({x, 0})); };
   EXPECT_EQ(walk.popped, (std::vector<Step>{{cell(1), 4}, {cell(2), 4}}));
   EXPECT_EQ(walk.directions, (std::vector<std::uint8_t>{0, 0}));
+}
+
+TEST(Walker, WritesTheRoundOnEveryWalkItHasFinished) {
+  const Field field(grid_of({"...", "..."}), MoveRule::strict, {0, 0}, {2, 1});
+  const Ground ground = field.ground(DeadEnd::die);
+  std::vector<Walk> walks(5);
+  AntQueue queue(1, 5);
+  const Stream stream(1);
+  const Meter meter({});
+  Walker(ground, 2).run(queue, {stream, no_limit, meter, walks, 9});
+  EXPECT_EQ(walks[0].round, 0U);
+  for (std::size_t k = 1; k < walks.size(); ++k) EXPECT_EQ(walks[k].round, 9U);
 }
 
 TEST(Walker, StopsAtTheStepLimit) {

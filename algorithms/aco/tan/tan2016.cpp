@@ -90,11 +90,13 @@ class Tan2016 final : public PheromoneRule {
 
   void draw(Overlay& overlay) const override { algorithms::draw(environment_, overlay); }
 
+  // A penalty comes before the deposits; closing cells leaves pheromone as it is.
+  bool deposits_early() const override { return settings_.mu == 1; }
+
   void learn(Colony& colony, const Harvest& harvest) override {
     if (settings_.mu < 1) penalise(colony, harvest.count);
     dead_ends_.mark(colony, harvest.count);
-    colony.trail().evaporate(1 - settings_.evaporation);
-    colony.deposit_all(harvest.count);
+    colony.evaporate_and_deposit(harvest.count);
   }
 
  private:

@@ -1,0 +1,40 @@
+#include "algorithms/aco/early_deposits.hpp"
+
+#include <atomic>
+
+namespace pathrace::algorithms {
+namespace {
+
+bool is_back(Walk& walk, std::uint32_t round) {
+  return std::atomic_ref(walk.round).load(std::memory_order_acquire) == round;
+}
+
+}  // namespace
+
+void EarlyDeposits::begin(std::size_t ants, std::uint32_t round) {
+  next_ = 0;
+  round_ = round;
+  ants_ = trail_.begin_draft(1 - rule_.settings().evaporation) ? ants : 0;
+}
+
+// Paths that another core has written are asked for before the first is needed.
+void EarlyDeposits::go_on() {
+  std::size_t end = next_;
+  for (; end < ants_ && is_back(walks_[end], round_); ++end)
+    __builtin_prefetch(walks_[end].directions.data());
+  for (; next_ < end; ++next_) {
+    const Walk& walk = walks_[next_];
+    if (!walk.arrived) continue;
+    trail_.deposit_on_draft(nest_.start(), walk.directions, rule_.amount(walk), rule_.settings().both_ways);
+  }
+}
+
+bool EarlyDeposits::finish(std::size_t ants) {
+  if (ants_ == 0 || ants_ != ants) return false;
+  go_on();
+  trail_.adopt_draft();
+  ants_ = 0;
+  return true;
+}
+
+}  // namespace pathrace::algorithms

@@ -1,0 +1,43 @@
+// Deposits that are made while other ants still walk.
+//
+// Deposits of an iteration come in ant order, one after another; on a small map they are a tenth of the work,
+// and threads that wait for them would be idle. So one of the walkers, whenever an ant of its own is back,
+// deposits for all ants that are back and next in order, on a draft of the next trail. When everybody is
+// back, few are left.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "algorithms/aco/pheromone_rule.hpp"
+
+namespace pathrace::algorithms {
+
+/// For one thread at a time; the walks may be written meanwhile. On lines of its own: other threads read what
+/// stands beside it.
+class alignas(128) EarlyDeposits {
+ public:
+  /// Everything outlives this.
+  EarlyDeposits(const PheromoneRule& rule, const Nest& nest, Trail& trail, std::vector<Walk>& walks)
+      : rule_(rule), nest_(nest), trail_(trail), walks_(walks) {}
+
+  /// Ants 0..ants-1 walk in this round. Nothing is done early when no draft can be had.
+  void begin(std::size_t ants, std::uint32_t round);
+  /// Deposits for those that are back and next in order.
+  void go_on();
+  /// Once all are back: deposits for the rest; the trail is then the next one, evaporation included. False
+  /// when no deposits for just this many ants were begun: the trail is as it was.
+  bool finish(std::size_t ants);
+
+ private:
+  const PheromoneRule& rule_;
+  const Nest& nest_;
+  Trail& trail_;
+  std::vector<Walk>& walks_;
+  std::size_t next_ = 0;
+  std::size_t ants_ = 0;  // 0 without a draft
+  std::uint32_t round_ = 0;
+};
+
+}  // namespace pathrace::algorithms

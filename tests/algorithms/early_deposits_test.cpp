@@ -1,0 +1,142 @@
+// Deposits made while ants walk are those that would be made afterwards.
+#include "algorithms/aco/early_deposits.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/maps.hpp"
+
+namespace pathrace::algorithms {
+namespace {
+
+using pathrace::testing::grid_of;
+
+// Remembers for which ants it was asked, by the number of their steps.
+class Recorder final : public PheromoneRule {
+ public:
+  explicit Recorder(const ColonySettings& settings) : PheromoneRule(settings) {}
+
+  double initial_pheromone(const Scout& /*scout*/) const override { return 1; }
+  double amount(const Walk& walk) const override {
+    asked.push_back(walk.directions.size());
+    return 0.3 / static_cast<double>(walk.directions.size());
+  }
+  void learn(Colony& /*colony*/, const Harvest& /*harvest*/) override {}
+
+  mutable std::vector<std::size_t> asked;
+};
+
+class EarlyDepositsTest : public ::testing::Test {
+ protected:
+  using Paths = std::vector<std::vector<std::uint8_t>>;
+
+  static constexpr auto eta = [](std::size_t, int) { return 1.0; };
+
+  // Ants of 1, 2, 3 ... steps to the east.
+  EarlyDepositsTest() : walks(4) {
+    trail.limit(1e-6, Trail::no_limit);
+    for (std::size_t k = 0; k < walks.size(); ++k) {
+      walks[k].arrived = true;
+      walks[k].directions.assign(k + 1, 0);
+    }
+  }
+
+  void come_back(std::size_t ant, std::uint32_t round) { walks[ant].round = round; }
+
+  // Evaporation, then deposits of the first `count` ants, as the equations have them.
+  Trail after(std::size_t count) {
+    Trail other(nest.moves(), 1, 1, 1, eta);
+    other.limit(1e-6, Trail::no_limit);
+    other.evaporate(1 - settings.evaporation);
+    for (std::size_t k = 0; k < count; ++k) {
+      if (!walks[k].arrived) continue;
+      other.change_along(nest.start(), walks[k].directions, 1, 0.3 / static_cast<double>(k + 1), true);
+    }
+    return other;
+  }
+
+  bool equals(const Trail& other) const {
+    for (std::size_t index = 0; index < nest.size(); ++index) {
+      for (int d = 0; d < direction_count; ++d) {
+        if (trail.pheromone(index, d) != other.pheromone(index, d)) return false;
+      }
+    }
+    return true;
+  }
+
+  ColonySettings settings;
+  Recorder rule{settings};
+  OccupancyGrid grid = grid_of({"......", "......"});
+  Nest nest{{grid, MoveRule::strict, {0, 0}, {5, 0}}};
+  Trail trail{nest.moves(), 1, 1, 1, eta};
+  std::vector<Walk> walks;
+  EarlyDeposits deposits{rule, nest, trail, walks};
+};
+
+TEST_F(EarlyDepositsTest, GoAsFarAsAntsAreBackWithoutAGap) {
+  deposits.begin(4, 7);
+  deposits.go_on();
+  EXPECT_TRUE(rule.asked.empty());
+  come_back(0, 7);
+  come_back(2, 7);
+  deposits.go_on();
+  EXPECT_EQ(rule.asked, (std::vector<std::size_t>{1}));
+  come_back(1, 7);
+  deposits.go_on();
+  EXPECT_EQ(rule.asked, (std::vector<std::size_t>{1, 2, 3}));
+}
+
+TEST_F(EarlyDepositsTest, LeaveTheTrailAloneUntilTheyAreFinished) {
+  deposits.begin(4, 1);
+  for (std::size_t k = 0; k < 3; ++k) come_back(k, 1);
+  deposits.go_on();
+  EXPECT_EQ(trail.pheromone(nest.start(), 0), 1);
+  come_back(3, 1);
+  EXPECT_TRUE(deposits.finish(4));
+  EXPECT_TRUE(equals(after(4)));
+}
+
+TEST_F(EarlyDepositsTest, ComeInTheNextRoundToATrailThatHasAllOfTheLast) {
+  for (const std::uint32_t round : {1U, 2U, 3U}) {
+    const double before = trail.pheromone(nest.start(), 0);
+    deposits.begin(1, round);
+    deposits.go_on();
+    EXPECT_EQ(rule.asked.size(), round - 1) << "an ant of the last round is not back in this one";
+    come_back(0, round);
+    EXPECT_TRUE(deposits.finish(1));
+    EXPECT_FLOAT_EQ(static_cast<float>(trail.pheromone(nest.start(), 0)),
+                    static_cast<float>(before * (1 - settings.evaporation) + 0.3));
+  }
+}
+
+TEST_F(EarlyDepositsTest, OfAntsThatDoNotCountAreForgotten) {
+  deposits.begin(4, 1);
+  for (std::size_t k = 0; k < 4; ++k) come_back(k, 1);
+  deposits.go_on();
+  EXPECT_FALSE(deposits.finish(3));
+  EXPECT_EQ(trail.pheromone(nest.start(), 0), 1);
+  trail.evaporate(1 - settings.evaporation);
+  for (std::size_t k = 0; k < 3; ++k) {
+    trail.change_along(nest.start(), walks[k].directions, 1, 0.3 / static_cast<double>(k + 1), true);
+  }
+  EXPECT_TRUE(equals(after(3)));
+}
+
+TEST_F(EarlyDepositsTest, OfAntsThatDiedAreNone) {
+  walks[1].arrived = false;
+  deposits.begin(4, 1);
+  for (std::size_t k = 0; k < 4; ++k) come_back(k, 1);
+  EXPECT_TRUE(deposits.finish(4));
+  EXPECT_EQ(rule.asked, (std::vector<std::size_t>{1, 3, 4}));
+  EXPECT_TRUE(equals(after(4)));
+}
+
+TEST_F(EarlyDepositsTest, AreNotBegunTwiceByOneBeginning) {
+  EXPECT_FALSE(deposits.finish(0));
+  deposits.begin(1, 1);
+  come_back(0, 1);
+  EXPECT_TRUE(deposits.finish(1));
+  EXPECT_FALSE(deposits.finish(1));
+}
+
+}  // namespace
+}  // namespace pathrace::algorithms
