@@ -67,14 +67,15 @@ Answer Colony::run(Context& context) {
   make_walkers(context.executor);
   for (std::uint64_t iteration = 0; !meter.exhausted(); ++iteration) {
     const std::size_t walked = walk_all(context, context.stream.fork(iteration));
-    Harvest harvest;
-    harvest.iteration = iteration;
-    harvest.count = charge(walked, meter);
-    rule_.revise(*this, context, harvest.count);
-    keep_best(harvest, meter);
-    count(harvest.count, meter);
+    const std::optional<Tally> known = early_tally(walked);
+    const std::size_t count = charge(walked, known, meter);
+    rule_.revise(*this, context, count);
+    const Tally counted = known && count == walked ? *known : tally(count);
+    const bool improved = keep_best(counted, meter);
+    meter.count("arrived", counted.arrived);
+    meter.count("pops", counted.pops);
     meter.end_iteration();
-    rule_.learn(*this, harvest);
+    rule_.learn(*this, {iteration, count, counted.shortest, improved});
   }
   if (context.overlay != nullptr) draw(*context.overlay);
   const Walk last = settings_.answer == AntAnswer::best_so_far ? best_ : strongest_trail();
@@ -158,7 +159,12 @@ std::size_t Colony::walk_all(Context& context, const Stream& stream) {
 
 // Pays for the walks in ant order. The ant that meets the end of the checks is cut there: its walk and those
 // behind it do not count. Returns how many walks do.
-std::size_t Colony::charge(std::size_t walked, Meter& meter) const {
+std::size_t Colony::charge(std::size_t walked, const std::optional<Tally>& known, Meter& meter) const {
+  if (known && known->decisions < meter.checks_left()) {
+    meter.spend_checks(known->decisions);
+    meter.spend_evaluations(walked);
+    return walked;
+  }
   for (std::size_t i = 0; i < walked; ++i) {
     const Walk& walk = walks_[i];
     __builtin_prefetch(walk.directions.data());  // another core wrote it, and learning reads it next
@@ -174,29 +180,30 @@ std::size_t Colony::charge(std::size_t walked, Meter& meter) const {
   return walked;
 }
 
-void Colony::count(std::size_t counted, Meter& meter) const {
-  std::uint64_t arrived = 0;
-  std::uint64_t pops = 0;
-  for (std::size_t i = 0; i < counted; ++i) {
-    arrived += walks_[i].arrived ? 1 : 0;
-    pops += walks_[i].pops;
-  }
-  meter.count("arrived", arrived);
-  meter.count("pops", pops);
+Tally Colony::tally(std::size_t count) const {
+  Tally tally;
+  for (std::size_t i = 0; i < count; ++i) tally.add(walks_[i], rule_);
+  return tally;
 }
 
-void Colony::keep_best(Harvest& harvest, Meter& meter) {
-  for (std::size_t i = 0; i < harvest.count; ++i) {
-    if (walks_[i].arrived) keep_if_better(walks_[i], harvest, meter);
-  }
+std::optional<Tally> Colony::early_tally(std::size_t count) {
+  if (!deposits_) return std::nullopt;
+  deposits_->go_on();
+  if (deposits_->tally().walks != count) return std::nullopt;
+  return deposits_->tally();
 }
 
-void Colony::keep_if_better(const Walk& walk, Harvest& harvest, Meter& meter) {
-  if (harvest.shortest == nullptr || rule_.better(walk, *harvest.shortest)) harvest.shortest = &walk;
-  if (best_.arrived && !rule_.better(walk, best_)) return;
-  best_ = walk;
-  harvest.improved = true;
-  meter.improved(walk.length.value());
+// Records each ant that is better than all before it. True when there was one.
+bool Colony::keep_best(const Tally& tally, Meter& meter) {
+  if (tally.shortest == nullptr) return false;
+  if (best_.arrived && !rule_.better(*tally.shortest, best_)) return false;
+  for (std::size_t i = 0; i < tally.walks; ++i) {
+    const Walk& walk = walks_[i];
+    if (!walk.arrived || (best_.arrived && !rule_.better(walk, best_))) continue;
+    best_ = walk;
+    meter.improved(walk.length.value());
+  }
+  return true;
 }
 
 void Colony::deposit(const Walk& walk, double amount) {

@@ -81,10 +81,12 @@ class Colony {
   bool lay_trail(Meter& meter);
   void make_walkers(const Executor& executor);
   std::size_t walk_all(Context& context, const Stream& stream);
-  std::size_t charge(std::size_t walked, Meter& meter) const;
-  void count(std::size_t counted, Meter& meter) const;
-  void keep_best(Harvest& harvest, Meter& meter);
-  void keep_if_better(const Walk& walk, Harvest& harvest, Meter& meter);
+  /// Of the first `count` walks.
+  Tally tally(std::size_t count) const;
+  /// The same, known already when all these ants are back and deposits were made meanwhile.
+  std::optional<Tally> early_tally(std::size_t count);
+  std::size_t charge(std::size_t walked, const std::optional<Tally>& known, Meter& meter) const;
+  bool keep_best(const Tally& tally, Meter& meter);
   Walk strongest_trail() const;
   void draw(Overlay& overlay) const;
 

@@ -12,18 +12,20 @@ bool is_back(Walk& walk, std::uint32_t round) {
 }  // namespace
 
 void EarlyDeposits::begin(std::size_t ants, std::uint32_t round) {
-  next_ = 0;
+  tally_ = {};
   round_ = round;
   ants_ = trail_.begin_draft(1 - rule_.settings().evaporation) ? ants : 0;
 }
 
 // Paths that another core has written are asked for before the first is needed.
 void EarlyDeposits::go_on() {
-  std::size_t end = next_;
+  std::size_t next = tally_.walks;
+  std::size_t end = next;
   for (; end < ants_ && is_back(walks_[end], round_); ++end)
     __builtin_prefetch(walks_[end].directions.data());
-  for (; next_ < end; ++next_) {
-    const Walk& walk = walks_[next_];
+  for (; next < end; ++next) {
+    const Walk& walk = walks_[next];
+    tally_.add(walk, rule_);
     if (!walk.arrived) continue;
     trail_.deposit_on_draft(nest_.start(), walk.directions, rule_.amount(walk), rule_.settings().both_ways);
   }

@@ -26,6 +26,8 @@ class alignas(128) EarlyDeposits {
   void begin(std::size_t ants, std::uint32_t round);
   /// Deposits for those that are back and next in order.
   void go_on();
+  /// What those walks come to that deposits were made for.
+  const Tally& tally() const { return tally_; }
   /// Once all are back: deposits for the rest; the trail is then the next one, evaporation included. False
   /// when no deposits for just this many ants were begun: the trail is as it was.
   bool finish(std::size_t ants);
@@ -35,7 +37,7 @@ class alignas(128) EarlyDeposits {
   const Nest& nest_;
   Trail& trail_;
   std::vector<Walk>& walks_;
-  std::size_t next_ = 0;
+  Tally tally_;
   std::size_t ants_ = 0;  // 0 without a draft
   std::uint32_t round_ = 0;
 };

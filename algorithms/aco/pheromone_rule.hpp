@@ -54,7 +54,7 @@ class PheromoneRule {
   virtual bool keeps_popped() const { return false; }
 
   /// True: revise() alters no walk, and learn() begins with Colony::evaporate_and_deposit. Deposits may then
-  /// be made while other ants still walk, and `amount` be called by another thread.
+  /// be made while other ants still walk, and `amount` and `better` be called by another thread.
   virtual bool deposits_early() const { return false; }
 
   /// Once, when nest and trail stand: limits, an initial field over the even one.
@@ -81,6 +81,24 @@ class PheromoneRule {
 
  private:
   const ColonySettings& settings_;
+};
+
+/// What the walks of an iteration come to.
+struct Tally {
+  std::size_t walks = 0;
+  std::uint64_t arrived = 0;
+  std::uint64_t decisions = 0;
+  std::uint64_t pops = 0;
+  const Walk* shortest = nullptr;  ///< as in Harvest
+
+  void add(const Walk& walk, const PheromoneRule& rule) {
+    ++walks;
+    decisions += walk.decisions;
+    pops += walk.pops;
+    if (!walk.arrived) return;
+    ++arrived;
+    if (shortest == nullptr || rule.better(walk, *shortest)) shortest = &walk;
+  }
 };
 
 }  // namespace pathrace::algorithms

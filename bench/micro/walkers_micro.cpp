@@ -50,7 +50,8 @@ void walkers(benchmark::State& state) {
   std::uint64_t decisions = 0;
   for (auto _ : state) {
     AntQueue ants(0, field.walks.size());
-    walker.run(ants, Stream(1).fork(iteration++), field.ground.max_steps, meter, field.walks);
+    const Stream stream = Stream(1).fork(iteration++);
+    walker.run(ants, {stream, field.ground.max_steps, meter, field.walks});
     for (const Walk& walk : field.walks) decisions += walk.decisions;
   }
   state.SetItemsProcessed(static_cast<std::int64_t>(decisions));
@@ -59,7 +60,9 @@ void walkers(benchmark::State& state) {
 void deposits(benchmark::State& state) {
   Field field(state.range(0));
   AntQueue ants(0, field.walks.size());
-  Walker(field.ground, 4).run(ants, Stream(1), field.ground.max_steps, Meter({}), field.walks);
+  const Stream stream(1);
+  const Meter meter({});
+  Walker(field.ground, 4).run(ants, {stream, field.ground.max_steps, meter, field.walks});
   std::size_t steps = 0;
   for (auto _ : state) {
     field.trail.evaporate(0.9);

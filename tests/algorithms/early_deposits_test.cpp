@@ -85,6 +85,25 @@ TEST_F(EarlyDepositsTest, GoAsFarAsAntsAreBackWithoutAGap) {
   EXPECT_EQ(rule.asked, (std::vector<std::size_t>{1, 2, 3}));
 }
 
+TEST_F(EarlyDepositsTest, KnowWhatTheirWalksComeTo) {
+  walks[0].arrived = false;
+  for (std::size_t k = 0; k < 4; ++k) {
+    walks[k].length = length_of(walks[k].directions);
+    walks[k].decisions = 10 * (k + 1);
+    walks[k].pops = k;
+  }
+  deposits.begin(4, 3);
+  for (std::size_t k = 0; k < 3; ++k) come_back(k, 3);
+  deposits.go_on();
+  EXPECT_EQ(deposits.tally().walks, 3U);
+  EXPECT_EQ(deposits.tally().arrived, 2U);
+  EXPECT_EQ(deposits.tally().decisions, 60U);
+  EXPECT_EQ(deposits.tally().pops, 3U);
+  EXPECT_EQ(deposits.tally().shortest, &walks[1]);
+  deposits.begin(4, 4);
+  EXPECT_EQ(deposits.tally().walks, 0U);
+}
+
 TEST_F(EarlyDepositsTest, LeaveTheTrailAloneUntilTheyAreFinished) {
   deposits.begin(4, 1);
   for (std::size_t k = 0; k < 3; ++k) come_back(k, 1);
