@@ -161,9 +161,9 @@ bool Trail::begin_draft(double persistence) {
 
 void Trail::deposit_on_draft(std::size_t index, std::span<const std::uint8_t> directions, double amount,
                              bool both_ways) {
-  const auto [least, most] = bounds_at(draft_scale_);
+  const Bounds in = bounds_at(draft_scale_);
   const auto added = static_cast<float>(amount / draft_scale_);
-  const auto add = [=](float& tau) { tau = std::min(std::max(tau, least) + added, most); };
+  const auto add = [=](float& tau) { tau = std::min(std::max(tau, in.least) + added, in.most); };
   float* const row = draft_[index].strength.data();
   both_ways ? for_each_strength<true, true>(row, 0, row, steps_, directions, add)
             : for_each_strength<false, true>(row, 0, row, steps_, directions, add);
