@@ -38,7 +38,7 @@ void Team::run(Chunks& chunks) {
   const std::uint32_t loop = gate_.load(std::memory_order_relaxed) + one_loop;
   gate_.store(loop | open, std::memory_order_seq_cst);
   gate_.notify_all();
-  chunks.run(0);
+  if (chunks.size() > 0) chunks.run(0);
   work(chunks);
   gate_.fetch_and(~open, std::memory_order_acq_rel);
   await(gate_, [](std::uint32_t gate) { return (gate & helpers) == 0; });
