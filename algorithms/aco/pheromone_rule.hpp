@@ -53,8 +53,9 @@ class PheromoneRule {
   /// True: walks list the steps that were taken back.
   virtual bool keeps_popped() const { return false; }
 
-  /// True: revise() alters no walk, and learn() begins with Colony::evaporate_and_deposit. Deposits may then
-  /// be made while other ants still walk, and `amount` and `better` be called by another thread.
+  /// True: revise() alters no walk, and learn() changes no pheromone before it calls
+  /// Colony::evaporate_and_deposit. Deposits may then be made while other ants still walk, and `amount` and
+  /// `better` be called by another thread.
   virtual bool deposits_early() const { return false; }
 
   /// Once, when nest and trail stand: limits, an initial field over the even one.

@@ -45,6 +45,11 @@ void for_each_strength(float* first, std::size_t count, float* row, const RowSte
   }
 }
 
+// Adds to a strength, within limits. What is only added to cannot fall below the lower one.
+auto addition(float added, float least, float most) {
+  return [=](float& tau) { tau = std::min(std::max(tau, least) + added, most); };
+}
+
 }  // namespace
 
 RowSteps::RowSteps(const MoveTable& moves) {
@@ -119,8 +124,7 @@ void Trail::change_along(CellRange cells, std::size_t index, std::span<const std
   }
 }
 
-// The hot form of `change`, for alpha = 1, where strength and stored tau are the same. What is only added to
-// cannot fall below the lower limit.
+// The hot form of `change`, for alpha = 1, where strength and stored tau are the same.
 void Trail::change_strengths(CellRange cells, std::size_t index, std::span<const std::uint8_t> directions,
                              double factor, double amount, bool both_ways) {
   const float least = least_;
@@ -140,15 +144,14 @@ void Trail::change_strengths(CellRange cells, std::size_t index, std::span<const
       both_ways ? go.template operator()<true, true>(change) : go.template operator()<false, true>(change);
     }
   };
-  if (kept == 1 && added >= 0) {
-    return along([=](float& tau) { tau = std::min(std::max(tau, least) + added, most); });
-  }
+  if (kept == 1 && added >= 0) return along(addition(added, least, most));
   along([=](float& tau) { tau = std::min(std::max(std::max(tau, least) * kept + added, least), most); });
 }
 
 bool Trail::begin_draft(double persistence) {
   draft_scale_ = scale_ * persistence;
   if (!stored_.empty() || draft_scale_ < smallest_scale_) return false;
+  draft_bounds_ = bounds_at(draft_scale_);
   if (draft_.empty()) {
     draft_ = rows_;
     for (std::size_t index = 0; index < rows_.size(); ++index) {
@@ -161,9 +164,8 @@ bool Trail::begin_draft(double persistence) {
 
 void Trail::deposit_on_draft(std::size_t index, std::span<const std::uint8_t> directions, double amount,
                              bool both_ways) {
-  const Bounds in = bounds_at(draft_scale_);
   const auto added = static_cast<float>(amount / draft_scale_);
-  const auto add = [=](float& tau) { tau = std::min(std::max(tau, in.least) + added, in.most); };
+  const auto add = addition(added, draft_bounds_.least, draft_bounds_.most);
   float* const row = draft_[index].strength.data();
   both_ways ? for_each_strength<true, true>(row, 0, row, steps_, directions, add)
             : for_each_strength<false, true>(row, 0, row, steps_, directions, add);

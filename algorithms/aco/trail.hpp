@@ -98,8 +98,8 @@ class Trail {
                     double factor, double amount, bool both_ways);
 
   /// Begins a draft of the next trail: this one with `persistence` times its pheromone. What ants read stays
-  /// as it is until the draft is adopted. False when there can be none: alpha is not 1, or the whole trail is
-  /// due for rewriting.
+  /// as it is until the draft is adopted; the limits stay as they are until then. False when there can be
+  /// none: alpha is not 1, or the whole trail is due for rewriting.
   bool begin_draft(double persistence);
   /// `change_along` on the draft, with factor 1 and amount >= 0. The trail may be read meanwhile.
   void deposit_on_draft(std::size_t index, std::span<const std::uint8_t> directions, double amount,
@@ -121,8 +121,8 @@ class Trail {
  private:
   // The bounds of what is stored, at a scale.
   struct Bounds {
-    float least;  // lower limit / scale
-    float most;   // upper limit / scale
+    float least = 0;  // lower limit / scale
+    float most = 0;   // upper limit / scale
   };
 
   using Rows = std::vector<TrailRow, HugePages<TrailRow>>;
@@ -154,6 +154,7 @@ class Trail {
   Rows rows_;
   Rows draft_;  // of the same desirabilities; empty until one is begun
   double draft_scale_ = 1;
+  Bounds draft_bounds_;
   std::vector<std::uint32_t> used_;  // rows with legal steps; empty until a draft is begun
   std::vector<Stored> stored_;       // tau / scale, when alpha is not 1; else the strengths themselves
 };

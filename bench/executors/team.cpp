@@ -34,7 +34,7 @@ std::uint32_t await(const std::atomic<std::uint32_t>& word, const Wished& wished
 
 void Team::run(Chunks& chunks) {
   chunks_ = &chunks;
-  next_.store(1, std::memory_order_relaxed);
+  next_.store(1, std::memory_order_relaxed);  // chunk 0 is the leader's
   const std::uint32_t loop = gate_.load(std::memory_order_relaxed) + one_loop;
   gate_.store(loop | open, std::memory_order_seq_cst);
   gate_.notify_all();

@@ -27,8 +27,6 @@ class Recorder final : public PheromoneRule {
 
 class EarlyDepositsTest : public ::testing::Test {
  protected:
-  using Paths = std::vector<std::vector<std::uint8_t>>;
-
   static constexpr auto eta = [](std::size_t, int) { return 1.0; };
 
   // Ants of 1, 2, 3 ... steps to the east.
