@@ -6,10 +6,11 @@
 
 namespace pathrace::algorithms {
 
-/// Some ants of an iteration, every `stride`-th of a range. Every walker has a queue, on a cache line of its
-/// own, and the queues form a ring: whose own is empty takes from the next. So nobody runs out of ants while
-/// another has a heap of them, and until then no two cores want the same line.
-class alignas(64) AntQueue {
+/// Some ants of an iteration, every `stride`-th of a range. Every walker has a queue, on two cache lines of
+/// its own (processors fetch pairs of them), and the queues form a ring: whose own is empty takes from the
+/// next. So nobody runs out of ants while another has a heap of them, and until then no two cores want the
+/// same line.
+class alignas(128) AntQueue {
  public:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
