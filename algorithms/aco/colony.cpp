@@ -141,7 +141,11 @@ std::size_t Colony::walk_all(Context& context, const Stream& stream) {
   const Outing outing{stream, context.meter.checks_left(), context.meter, walks_, ++round_};
   const auto walk = [&](std::size_t walker, AntQueue& ants) {
     EarlyDeposits* const deposits = walker == 0 && deposits_ ? &*deposits_ : nullptr;
-    if (deposits != nullptr) deposits->begin(batch, outing.round);
+    if (deposits != nullptr) {
+      deposits->begin(batch, outing.round);
+    } else if (deposits_) {
+      trail_->fetch_changes();  // the first walker has made them
+    }
     walkers_[walker].run(ants, outing, deposits);
   };
   if (groups_.empty()) {

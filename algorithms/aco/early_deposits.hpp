@@ -20,7 +20,9 @@ class alignas(128) EarlyDeposits {
  public:
   /// Everything outlives this.
   EarlyDeposits(const PheromoneRule& rule, const Nest& nest, Trail& trail, std::vector<Walk>& walks)
-      : rule_(rule), nest_(nest), trail_(trail), walks_(walks) {}
+      : rule_(rule), nest_(nest), trail_(trail), walks_(walks) {
+    trail_.keep_draft();
+  }
 
   /// Ants 0..ants-1 walk in this round. Nothing is done early when no draft can be had.
   void begin(std::size_t ants, std::uint32_t round);

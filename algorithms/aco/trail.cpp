@@ -29,20 +29,24 @@ std::array<float, direction_count> desirabilities(unsigned mask, std::size_t ind
   return row;
 }
 
-// Calls `change(strength)` for each step of the path, and for each step back when `both_ways`, that leads out
-// of one of the `count` rows from `first` on. `row` is where the path starts.
-template <bool both_ways, bool everywhere, typename Change>
+// Calls `visit(row)` for each row of the path, and `change(strength)` for each step, and for each step back
+// when `both_ways`, that leads out of one of the `count` rows from `first` on. `row` is where the path
+// starts. What is called comes by value: a float that is stored could be a limit, if that were only referred
+// to, and limits were then read anew for each step.
+template <bool both_ways, bool everywhere, typename Change, typename Visit>
 void for_each_strength(float* first, std::size_t count, float* row, const RowSteps& steps,
-                       std::span<const std::uint8_t> directions, const Change& change) {
+                       std::span<const std::uint8_t> directions, Change change, Visit visit) {
   const auto mine = [=](const float* strength) {
     return everywhere || static_cast<std::size_t>(strength - first) < count * floats_per_row;
   };
   for (const std::size_t direction : directions) {
     float* const back = row + steps.back[direction];
+    visit(row);
     if (mine(row)) change(row[direction]);
     if (both_ways && mine(back)) change(*back);
     row += steps.on[direction];
   }
+  visit(row);
 }
 
 // Adds to a strength, within limits. What is only added to cannot fall below the lower one.
@@ -108,6 +112,7 @@ void Trail::set(std::size_t index, int direction, double value) {
 }
 
 void Trail::change(std::size_t index, int direction, double factor, double amount) {
+  if (!draft_.empty()) changed_.add(index);
   float& tau = stored(index, direction);
   const float kept = std::max(tau, least_) * static_cast<float>(factor);
   tau = std::min(std::max(kept + static_cast<float>(amount / scale_), least_), most_);
@@ -116,11 +121,20 @@ void Trail::change(std::size_t index, int direction, double factor, double amoun
 
 void Trail::change_along(CellRange cells, std::size_t index, std::span<const std::uint8_t> directions,
                          double factor, double amount, bool both_ways) {
+  if (!draft_.empty()) mark_changes(cells, index, directions);
   if (stored_.empty()) return change_strengths(cells, index, directions, factor, amount, both_ways);
   for (const std::uint8_t direction : directions) {
     if (cells.contains(index)) change(index, direction, factor, amount);
     index = moves_.step(index, direction);
     if (both_ways && cells.contains(index)) change(index, opposite(direction), factor, amount);
+  }
+}
+
+void Trail::mark_changes(CellRange cells, std::size_t index, std::span<const std::uint8_t> directions) {
+  if (cells.contains(index)) changed_.add(index);
+  for (const std::uint8_t direction : directions) {
+    index = moves_.step(index, direction);
+    if (cells.contains(index)) changed_.add(index);
   }
 }
 
@@ -135,7 +149,7 @@ void Trail::change_strengths(CellRange cells, std::size_t index, std::span<const
   const std::size_t count = cells.end - cells.begin;
   const auto go = [&]<bool there_and_back, bool everywhere>(const auto& change) {
     for_each_strength<there_and_back, everywhere>(first, count, rows_[index].strength.data(), steps_,
-                                                  directions, change);
+                                                  directions, change, [](const float*) {});
   };
   const auto along = [&](const auto& change) {
     if (count < rows_.size()) {
@@ -148,17 +162,29 @@ void Trail::change_strengths(CellRange cells, std::size_t index, std::span<const
   along([=](float& tau) { tau = std::min(std::max(std::max(tau, least) * kept + added, least), most); });
 }
 
+void Trail::keep_draft() {
+  draft_ = rows_;
+  changed_ = RowMarks(rows_.size());
+  drafted_ = RowMarks(rows_.size());
+  draft_is_close_ = true;
+}
+
+void Trail::copy_to_draft() {
+  const auto copy = [&](std::size_t index) { draft_[index].strength = rows_[index].strength; };
+  if (draft_is_close_) {
+    changed_.for_each(copy);
+  } else {
+    for (std::size_t index = 0; index < rows_.size(); ++index) copy(index);
+  }
+  drafted_.clear();
+}
+
 bool Trail::begin_draft(double persistence) {
   draft_scale_ = scale_ * persistence;
-  if (!stored_.empty() || draft_scale_ < smallest_scale_) return false;
+  if (draft_.empty() || !stored_.empty() || draft_scale_ < smallest_scale_) return false;
   draft_bounds_ = bounds_at(draft_scale_);
-  if (draft_.empty()) {
-    draft_ = rows_;
-    for (std::size_t index = 0; index < rows_.size(); ++index) {
-      if (moves_[index] != 0) used_.push_back(static_cast<std::uint32_t>(index));
-    }
-  }
-  for (const std::uint32_t index : used_) draft_[index].strength = rows_[index].strength;
+  copy_to_draft();
+  draft_is_close_ = false;  // unless it is adopted
   return true;
 }
 
@@ -167,17 +193,27 @@ void Trail::deposit_on_draft(std::size_t index, std::span<const std::uint8_t> di
   const auto added = static_cast<float>(amount / draft_scale_);
   const auto add = addition(added, draft_bounds_.least, draft_bounds_.most);
   float* const row = draft_[index].strength.data();
-  both_ways ? for_each_strength<true, true>(row, 0, row, steps_, directions, add)
-            : for_each_strength<false, true>(row, 0, row, steps_, directions, add);
+  const auto mark = [add_row = drafted_.adder(), first = draft_[0].strength.data()](const float* visited) {
+    add_row(static_cast<std::size_t>(visited - first) / floats_per_row);
+  };
+  both_ways ? for_each_strength<true, true>(row, 0, row, steps_, directions, add, mark)
+            : for_each_strength<false, true>(row, 0, row, steps_, directions, add, mark);
 }
 
 void Trail::adopt_draft() {
   rows_.swap(draft_);
+  changed_.swap(drafted_);
+  draft_is_close_ = true;
   scale_ = draft_scale_;
   rescale();
 }
 
+void Trail::fetch_changes() const {
+  changed_.for_each([&](std::size_t index) { __builtin_prefetch(&rows_[index]); });
+}
+
 void Trail::reset(double value) {
+  draft_is_close_ = false;
   scale_ = 1;
   rescale();
   const float tau = std::min(std::max(static_cast<float>(value), least_), most_);
@@ -214,6 +250,7 @@ void Trail::rescale() {
 }
 
 void Trail::rewrite(double persistence) {
+  draft_is_close_ = false;
   const auto factor = static_cast<float>(scale_ * persistence);
   scale_ = 1;
   rescale();

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "algorithms/aco/huge_pages.hpp"
+#include "algorithms/aco/row_marks.hpp"
 #include "core/moves.hpp"
 
 namespace pathrace::algorithms {
@@ -97,15 +98,20 @@ class Trail {
   void change_along(CellRange cells, std::size_t index, std::span<const std::uint8_t> directions,
                     double factor, double amount, bool both_ways);
 
+  /// From now on there is room for a draft. Before any thread reads the trail.
+  void keep_draft();
   /// Begins a draft of the next trail: this one with `persistence` times its pheromone. What ants read stays
   /// as it is until the draft is adopted; the limits stay as they are until then. False when there can be
-  /// none: alpha is not 1, or the whole trail is due for rewriting.
+  /// none: there is no room, alpha is not 1, or the whole trail is due for rewriting.
   bool begin_draft(double persistence);
   /// `change_along` on the draft, with factor 1 and amount >= 0. The trail may be read meanwhile.
   void deposit_on_draft(std::size_t index, std::span<const std::uint8_t> directions, double amount,
                         bool both_ways);
   /// The draft becomes the trail: bit by bit what `evaporate` and the same deposits would have made of it.
   void adopt_draft();
+  /// Asks for the rows that have changed since a draft was adopted last or by that: another core has them.
+  /// Others may begin a draft and deposit on it meanwhile.
+  void fetch_changes() const;
 
   /// Keeps every tau in lower..upper from now on. 0 <= lower <= upper.
   void limit(double lower, double upper);
@@ -133,6 +139,8 @@ class Trail {
   float strength_of(float stored) const;
   void change_strengths(CellRange cells, std::size_t index, std::span<const std::uint8_t> directions,
                         double factor, double amount, bool both_ways);
+  void mark_changes(CellRange cells, std::size_t index, std::span<const std::uint8_t> directions);
+  void copy_to_draft();
   Bounds bounds_at(double scale) const;
   void rescale();
   /// Multiplies every tau out, within the limits; the scale is 1 afterwards.
@@ -152,11 +160,16 @@ class Trail {
   float least_desirability_ = 1;  // of legal steps
   float unit_ = 1;                // stored tau whose strength is 1, when alpha is not 1
   Rows rows_;
-  Rows draft_;  // of the same desirabilities; empty until one is begun
+  std::vector<Stored> stored_;  // tau / scale, when alpha is not 1; else the strengths themselves
+  RowMarks changed_;            // rows, since a draft was adopted last and by that
+
+  // What a thread writes while others read the trail: on lines of its own. An adopted draft and the trail
+  // change places, so that few rows have to be copied for the next one.
+  alignas(128) Rows draft_;  // of the same desirabilities; empty when none is kept
+  RowMarks drafted_;         // rows, by deposits on the draft
   double draft_scale_ = 1;
   Bounds draft_bounds_;
-  std::vector<std::uint32_t> used_;  // rows with legal steps; empty until a draft is begun
-  std::vector<Stored> stored_;       // tau / scale, when alpha is not 1; else the strengths themselves
+  bool draft_is_close_ = false;  // it differs from the trail in changed rows only
 };
 
 }  // namespace pathrace::algorithms

@@ -58,11 +58,12 @@ void Walker::run_lanes(AntQueue& ants) {
   }
   while (under_way > 0) {
     draws_.advance(under_way);
+    bool back = false;
     for (std::size_t k = 0; k < under_way;) {
       const Outcome outcome = step<greedy, with_places, backs_up, far>(k, terms);
       if (outcome != Outcome::goes_on) {
         finish(lanes_[k], outcome == Outcome::arrived);
-        if (deposits_ != nullptr) deposits_->go_on();
+        back = true;
         const std::size_t ant = ants.take();
         if (ant == AntQueue::none) {
           --under_way;
@@ -74,6 +75,7 @@ void Walker::run_lanes(AntQueue& ants) {
       }
       ++k;
     }
+    if (back && deposits_ != nullptr) deposits_->go_on();
   }
 }
 

@@ -48,7 +48,8 @@ struct Outing {
 };
 
 /// Runs ants one after another or side by side. Not for use by two threads at once.
-class Walker {
+/// On lines of its own: neighbours in a vector belong to threads of their own.
+class alignas(128) Walker {
  public:
   /// As many lanes as are fastest on a map of this many cells: where what ants read no longer fits the
   /// second-level cache, a step is mostly waiting, and more ants are needed to fill the wait. Fewer again
@@ -61,7 +62,7 @@ class Walker {
   explicit Walker(const Ground& ground, std::size_t lanes);
 
   /// Walks ants of the queue until it is empty: one draw per decision (loop erasure draws twice when it is
-  /// stuck), to the goal, to death, or to the limit. With `deposits`, goes on with them after each ant.
+  /// stuck), to the goal, to death, or to the limit. With `deposits`, goes on with them when ants are back.
   void run(AntQueue& ants, const Outing& outing, EarlyDeposits* deposits = nullptr);
 
  private:
