@@ -163,6 +163,7 @@ void Trail::change_strengths(CellRange cells, std::size_t index, std::span<const
 }
 
 void Trail::keep_draft() {
+  if (!stored_.empty()) return;
   draft_ = rows_;
   changed_ = RowMarks(rows_.size());
   drafted_ = RowMarks(rows_.size());
@@ -181,7 +182,7 @@ void Trail::copy_to_draft() {
 
 bool Trail::begin_draft(double persistence) {
   draft_scale_ = scale_ * persistence;
-  if (draft_.empty() || !stored_.empty() || draft_scale_ < smallest_scale_) return false;
+  if (draft_.empty() || draft_scale_ < smallest_scale_) return false;
   draft_bounds_ = bounds_at(draft_scale_);
   copy_to_draft();
   draft_is_close_ = false;  // unless it is adopted

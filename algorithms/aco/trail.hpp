@@ -98,11 +98,11 @@ class Trail {
   void change_along(CellRange cells, std::size_t index, std::span<const std::uint8_t> directions,
                     double factor, double amount, bool both_ways);
 
-  /// From now on there is room for a draft. Before any thread reads the trail.
+  /// From now on there is room for a draft, if alpha is 1. Before any thread reads the trail.
   void keep_draft();
   /// Begins a draft of the next trail: this one with `persistence` times its pheromone. What ants read stays
   /// as it is until the draft is adopted; the limits stay as they are until then. False when there can be
-  /// none: there is no room, alpha is not 1, or the whole trail is due for rewriting.
+  /// none: there is no room, or the whole trail is due for rewriting.
   bool begin_draft(double persistence);
   /// `change_along` on the draft, with factor 1 and amount >= 0. The trail may be read meanwhile.
   void deposit_on_draft(std::size_t index, std::span<const std::uint8_t> directions, double amount,

@@ -8,27 +8,10 @@
 
 #include "algorithms/aco/power.hpp"
 #include "core/stream.hpp"
-#include "tests/support/maps.hpp"
+#include "tests/algorithms/trail_field.hpp"
 
 namespace pathrace::algorithms {
 namespace {
-
-using pathrace::testing::grid_of;
-
-constexpr auto equal = [](std::size_t, int) { return 1.0; };
-const std::vector<std::string> open_ground = {"...", "...", "..."};
-
-struct Field {
-  Field(const std::vector<std::string>& rows, MoveRule rule, double alpha, double beta,
-        const Trail::Heuristic& eta, double initial = 1)
-      : grid(grid_of(rows)), moves(grid, rule), trail(moves, initial, alpha, beta, eta) {}
-
-  std::size_t at(int x, int y) const { return grid.index({x, y}); }
-
-  OccupancyGrid grid;
-  MoveTable moves;
-  Trail trail;
-};
 
 // tau in doubles, every step in every iteration, as the equations are written.
 class SweptTrail {
@@ -184,18 +167,6 @@ TEST(Trail, EqualsASweptTrailWithinTheRoundingOfItsOwnAdditions) {
   }
 }
 
-// A walk over the whole of an open map, of steps in random directions.
-std::vector<std::uint8_t> random_walk(const Field& field, std::size_t index, Stream& stream) {
-  std::vector<std::uint8_t> directions;
-  while (directions.size() < 60) {
-    const int d = stream.between(0, 7);
-    if ((field.moves[index] >> d & 1) == 0) continue;
-    directions.push_back(static_cast<std::uint8_t>(d));
-    index = field.moves.step(index, d);
-  }
-  return directions;
-}
-
 TEST(Trail, AlongAPathStepByStepAndSharedOutByCellsAreTheSameBits) {
   const std::vector<std::string> rows(6, ".......");
   for (const double alpha : {1.0, 2.0}) {
@@ -230,119 +201,6 @@ TEST(Trail, AlongAPathStepByStepAndSharedOutByCellsAreTheSameBits) {
       }
     }
   }
-}
-
-// As often as `evaporate` rewrites the trail, there is no draft to be had.
-TEST(Trail, AnAdoptedDraftIsEvaporationAndTheSameDepositsBitForBit) {
-  const std::vector<std::string> rows(6, ".......");
-  for (const bool both_ways : {false, true}) {
-    Stream stream(6);
-    Field plain(rows, MoveRule::free, 1, 1, equal);
-    Field drafted(rows, MoveRule::free, 1, 1, equal);
-    for (Field* field : {&plain, &drafted}) field->trail.limit(0.25, 9);
-    drafted.trail.keep_draft();
-    int refused = 0;
-    for (int round = 0; round < 200; ++round) {
-      const bool draft = drafted.trail.begin_draft(0.8);
-      refused += draft ? 0 : 1;
-      if (!draft) drafted.trail.evaporate(0.8);
-      plain.trail.evaporate(0.8);
-      for (int k = 0; k < 5; ++k) {
-        const std::size_t first = plain.at(stream.between(0, 6), stream.between(0, 5));
-        const std::vector<std::uint8_t> walk = random_walk(plain, first, stream);
-        const double amount = 4 * stream.uniform();
-        plain.trail.change_along(first, walk, 1, amount, both_ways);
-        draft ? drafted.trail.deposit_on_draft(first, walk, amount, both_ways)
-              : drafted.trail.change_along(first, walk, 1, amount, both_ways);
-      }
-      if (draft) drafted.trail.adopt_draft();
-      ASSERT_EQ(drafted.trail.least_strength(), plain.trail.least_strength());
-      for (std::size_t i = 0; i < plain.moves.size(); ++i) {
-        if (plain.moves[i] == 0) continue;  // no ant reads it
-        ASSERT_EQ(drafted.trail.rows()[i].strength, plain.trail.rows()[i].strength) << round << ' ' << i;
-      }
-    }
-    EXPECT_GT(refused, 0);
-    EXPECT_LT(refused, 5);
-  }
-}
-
-// Rows are copied to a draft only where they differ; what else is done to the trail must not be forgotten.
-TEST(Trail, ADraftFollowsWhateverElseChangesTheTrail) {
-  const std::vector<std::string> rows(6, ".......");
-  Stream stream(7);
-  Field plain(rows, MoveRule::free, 1, 1, equal);
-  Field drafted(rows, MoveRule::free, 1, 1, equal);
-  drafted.trail.keep_draft();
-  const auto both = [&](const auto& act) {
-    for (Field* field : {&plain, &drafted}) act(field->trail);
-  };
-  const std::size_t end = plain.moves.size();
-  for (int round = 0; round < 600; ++round) {
-    const std::size_t first = plain.at(stream.between(0, 6), stream.between(0, 5));
-    const std::vector<std::uint8_t> walk = random_walk(plain, first, stream);
-    const double amount = 2 * stream.uniform();
-    const auto cut = static_cast<std::size_t>(stream.between(0, static_cast<int>(end)));
-    const int deed = round % 8;
-    if (deed == 0) both([&](Trail& trail) { trail.change(first, 3, 0.5, amount); });
-    if (deed == 1) both([&](Trail& trail) { trail.change_along(first, walk, 0.7, amount, true); });
-    if (deed == 2) both([&](Trail& trail) { trail.change_along({cut, end}, first, walk, 1, amount, false); });
-    if (deed == 3) both([&](Trail& trail) { trail.limit(0.01 + amount / 100, 5 + amount); });
-    if (deed == 4) both([&](Trail& trail) { trail.reset(amount); });
-    if (deed == 5) both([&](Trail& trail) { trail.set(first, 5, amount); });
-    if (deed == 6) both([&](Trail& trail) { trail.evaporate(0.5); });
-    if (deed == 7 && drafted.trail.begin_draft(0.9)) {
-      drafted.trail.deposit_on_draft(first, walk, amount, true);  // and is not adopted
-    }
-    const bool draft = drafted.trail.begin_draft(0.95);
-    plain.trail.evaporate(0.95);
-    plain.trail.change_along(first, walk, 1, amount, true);
-    if (draft) {
-      drafted.trail.deposit_on_draft(first, walk, amount, true);
-      drafted.trail.adopt_draft();
-    } else {
-      drafted.trail.evaporate(0.95);
-      drafted.trail.change_along(first, walk, 1, amount, true);
-    }
-    drafted.trail.fetch_changes();
-    for (std::size_t i = 0; i < end; ++i) {
-      if (plain.moves[i] == 0) continue;
-      ASSERT_EQ(drafted.trail.rows()[i].strength, plain.trail.rows()[i].strength) << round << ' ' << i;
-    }
-  }
-}
-
-TEST(Trail, ADraftThatIsNotAdoptedChangesNothing) {
-  Field field(open_ground, MoveRule::free, 1, 1, equal);
-  const std::size_t middle = field.at(1, 1);
-  field.trail.keep_draft();
-  ASSERT_TRUE(field.trail.begin_draft(0.5));
-  field.trail.deposit_on_draft(middle, std::vector<std::uint8_t>{0}, 3, true);
-  EXPECT_EQ(field.trail.pheromone(middle, 0), 1);
-  ASSERT_TRUE(field.trail.begin_draft(0.5));
-  field.trail.adopt_draft();
-  EXPECT_EQ(field.trail.pheromone(middle, 0), 0.5);
-}
-
-TEST(Trail, ThereIsNoDraftWhereStrengthsArePowers) {
-  Field field(open_ground, MoveRule::free, 2, 1, equal);
-  field.trail.keep_draft();
-  EXPECT_FALSE(field.trail.begin_draft(0.5));
-}
-
-TEST(Trail, ThereIsNoDraftWhereNoneIsKept) {
-  EXPECT_FALSE(Field(open_ground, MoveRule::free, 1, 1, equal).trail.begin_draft(0.5));
-}
-
-TEST(Trail, AStepClosedBesideADraftStaysClosed) {
-  Field field(open_ground, MoveRule::free, 1, 1, equal);
-  const std::size_t middle = field.at(1, 1);
-  field.trail.keep_draft();
-  ASSERT_TRUE(field.trail.begin_draft(0.5));
-  field.trail.close(middle, 4);
-  field.trail.adopt_draft();
-  EXPECT_EQ(field.trail.weight(middle, 4), 0);
-  EXPECT_GT(field.trail.weight(middle, 5), 0);
 }
 
 TEST(Trail, AClosedStepWeighsNothing) {
