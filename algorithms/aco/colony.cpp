@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "algorithms/aco/scout.hpp"
+#include "core/prefetch.hpp"
 
 namespace pathrace::algorithms {
 namespace {
@@ -139,14 +140,11 @@ void Colony::regroup(const std::vector<Taste>& tastes) {
 std::size_t Colony::walk_all(Context& context, const Stream& stream) {
   const std::size_t batch = context.meter.admitted(walks_.size());
   const Outing outing{stream, context.meter.checks_left(), context.meter, walks_, ++round_};
+  EarlyDeposits* const early = deposits_ ? &*deposits_ : nullptr;
+  if (early != nullptr) early->begin(batch, outing.round);
   const auto walk = [&](std::size_t walker, AntQueue& ants) {
-    EarlyDeposits* const deposits = walker == 0 && deposits_ ? &*deposits_ : nullptr;
-    if (deposits != nullptr) {
-      deposits->begin(batch, outing.round);
-    } else if (deposits_) {
-      trail_->fetch_changes();  // the first walker has made them
-    }
-    walkers_[walker].run(ants, outing, deposits);
+    if (early != nullptr && walker > 0) trail_->fetch_copies();
+    walkers_[walker].run(ants, outing, walker == 0 ? early : nullptr);
   };
   if (groups_.empty()) {
     const std::size_t count = walkers_.size();
@@ -171,7 +169,7 @@ std::size_t Colony::charge(std::size_t walked, const std::optional<Tally>& known
   }
   for (std::size_t i = 0; i < walked; ++i) {
     const Walk& walk = walks_[i];
-    __builtin_prefetch(walk.directions.data());  // another core wrote it, and learning reads it next
+    prefetch(walk.directions.data());  // another core wrote it, and learning reads it next
     const std::uint64_t left = meter.checks_left();
     if (walk.decisions > left || (walk.decisions == left && !walk.arrived && left > 0)) {
       meter.spend_checks(left);
@@ -192,7 +190,7 @@ Tally Colony::tally(std::size_t count) const {
 
 std::optional<Tally> Colony::early_tally(std::size_t count) {
   if (!deposits_) return std::nullopt;
-  deposits_->go_on();
+  deposits_->conclude();
   if (deposits_->tally().walks != count) return std::nullopt;
   return deposits_->tally();
 }

@@ -2,6 +2,8 @@
 
 #include <atomic>
 
+#include "core/prefetch.hpp"
+
 namespace pathrace::algorithms {
 namespace {
 
@@ -21,14 +23,18 @@ void EarlyDeposits::begin(std::size_t ants, std::uint32_t round) {
 void EarlyDeposits::go_on() {
   std::size_t next = tally_.walks;
   std::size_t end = next;
-  for (; end < ants_ && is_back(walks_[end], round_); ++end)
-    __builtin_prefetch(walks_[end].directions.data());
+  for (; end < ants_ && is_back(walks_[end], round_); ++end) prefetch(walks_[end].directions.data());
   for (; next < end; ++next) {
     const Walk& walk = walks_[next];
     tally_.add(walk, rule_);
     if (!walk.arrived) continue;
     trail_.deposit_on_draft(nest_.start(), walk.directions, rule_.amount(walk), rule_.settings().both_ways);
   }
+}
+
+void EarlyDeposits::conclude() {
+  trail_.claim_copies();
+  go_on();
 }
 
 bool EarlyDeposits::finish(std::size_t ants) {

@@ -24,10 +24,12 @@ class alignas(128) EarlyDeposits {
     trail_.keep_draft();
   }
 
-  /// Ants 0..ants-1 walk in this round. Nothing is done early when no draft can be had.
+  /// Ants 0..ants-1 are about to walk in this round. Nothing is done early when no draft can be had.
   void begin(std::size_t ants, std::uint32_t round);
   /// Deposits for those that are back and next in order.
   void go_on();
+  /// The same once all are back, which is when no other thread reads the trail.
+  void conclude();
   /// What those walks come to that deposits were made for.
   const Tally& tally() const { return tally_; }
   /// Once all are back: deposits for the rest; the trail is then the next one, evaporation included. False

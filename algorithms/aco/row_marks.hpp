@@ -15,7 +15,7 @@ class RowMarks {
  public:
   RowMarks() = default;
   /// None of `rows` rows.
-  explicit RowMarks(std::size_t rows) : marks_((rows + in_a_word - 1) / in_a_word * in_a_word, 0) {}
+  explicit RowMarks(std::size_t rows) : marks_((rows + block - 1) / block * block, 0) {}
 
   void add(std::size_t row) { marks_[row] = 1; }
   /// The same as a function of its own, for loops: it does not look up each time where the marks are.
@@ -25,23 +25,35 @@ class RowMarks {
   void clear() { std::fill(marks_.begin(), marks_.end(), std::uint8_t{0}); }
   void swap(RowMarks& other) { marks_.swap(other.marks_); }
 
-  /// `visit(row)` for each row of the set, in some order.
-  template <typename Visit>
-  void for_each(const Visit& visit) const {
-    for (std::size_t first = 0; first < marks_.size(); first += in_a_word) {
-      std::uint64_t word = 0;
-      std::memcpy(&word, marks_.data() + first, sizeof word);
-      for (; word != 0; word &= word - 1) visit(first + byte_of(std::countr_zero(word)));
+  /// Writes the rows of the set to `rows`, which has room for them all, in ascending order. Returns the end.
+  std::uint32_t* list(std::uint32_t* rows) const {
+    for (std::size_t first = 0; first < marks_.size(); first += block) {
+      std::uint64_t bits = bits_of_block(first);
+      for (; bits != 0; bits &= bits - 1) {
+        *rows++ = static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(std::countr_zero(bits));
+      }
     }
+    return rows;
   }
 
  private:
   static constexpr std::size_t in_a_word = sizeof(std::uint64_t);
+  static constexpr std::size_t block = 64;
 
-  // The byte, in the order of memory, that a bit of a word comes from.
-  static std::size_t byte_of(int bit) {
-    const auto byte = static_cast<std::size_t>(bit) / 8;
-    return std::endian::native == std::endian::little ? byte : in_a_word - 1 - byte;
+  // A bit for each of 64 marks, without a branch.
+  std::uint64_t bits_of_block(std::size_t first) const {
+    std::uint64_t bits = 0;
+    for (std::size_t k = 0; k < block; k += in_a_word) bits |= bits_of_word(first + k) << k;
+    return bits;
+  }
+
+  // Bit b is mark first + b. Mark b, a 1 at bit 8 b, is moved to bit 56 + b by the summand 2^(56 - 7 b) of
+  // the factor; no other sum of such bits comes to 56..63, and none carries.
+  std::uint64_t bits_of_word(std::size_t first) const {
+    std::uint64_t word = 0;
+    std::memcpy(&word, marks_.data() + first, sizeof word);
+    if constexpr (std::endian::native == std::endian::big) word = __builtin_bswap64(word);
+    return word * 0x0102040810204080U >> 56U;
   }
 
   std::vector<std::uint8_t> marks_;

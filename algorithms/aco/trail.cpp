@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "algorithms/aco/power.hpp"
+#include "core/prefetch.hpp"
 
 namespace pathrace::algorithms {
 namespace {
@@ -165,26 +167,33 @@ void Trail::change_strengths(CellRange cells, std::size_t index, std::span<const
 void Trail::keep_draft() {
   if (!stored_.empty()) return;
   draft_ = rows_;
+  copies_ = rows_;
+  copied_.resize(rows_.size());
   changed_ = RowMarks(rows_.size());
   drafted_ = RowMarks(rows_.size());
   draft_is_close_ = true;
 }
 
-void Trail::copy_to_draft() {
-  const auto copy = [&](std::size_t index) { draft_[index].strength = rows_[index].strength; };
+void Trail::copy_rows() {
   if (draft_is_close_) {
-    changed_.for_each(copy);
+    copied_count_ = static_cast<std::size_t>(changed_.list(copied_.data()) - copied_.data());
   } else {
-    for (std::size_t index = 0; index < rows_.size(); ++index) copy(index);
+    copied_count_ = copied_.size();
+    std::iota(copied_.begin(), copied_.end(), 0U);
+  }
+  for (const std::uint32_t index : copied()) {
+    draft_[index].strength = copies_[index].strength = rows_[index].strength;
   }
   drafted_.clear();
+  marked_path_.clear();
 }
 
 bool Trail::begin_draft(double persistence) {
   draft_scale_ = scale_ * persistence;
-  if (draft_.empty() || draft_scale_ < smallest_scale_) return false;
+  drafting_ = !draft_.empty() && draft_scale_ >= smallest_scale_;
+  if (!drafting_) return false;
   draft_bounds_ = bounds_at(draft_scale_);
-  copy_to_draft();
+  copy_rows();
   draft_is_close_ = false;  // unless it is adopted
   return true;
 }
@@ -197,20 +206,32 @@ void Trail::deposit_on_draft(std::size_t index, std::span<const std::uint8_t> di
   const auto mark = [add_row = drafted_.adder(), first = draft_[0].strength.data()](const float* visited) {
     add_row(static_cast<std::size_t>(visited - first) / floats_per_row);
   };
-  both_ways ? for_each_strength<true, true>(row, 0, row, steps_, directions, add, mark)
-            : for_each_strength<false, true>(row, 0, row, steps_, directions, add, mark);
+  const auto deposit = [&](const auto& visit) {
+    both_ways ? for_each_strength<true, true>(row, 0, row, steps_, directions, add, visit)
+              : for_each_strength<false, true>(row, 0, row, steps_, directions, add, visit);
+  };
+  const bool marked = index == marked_from_ && std::ranges::equal(directions, marked_path_);
+  if (marked) return deposit([](const float*) {});
+  marked_from_ = index;
+  marked_path_.assign(directions.begin(), directions.end());
+  deposit(mark);
 }
 
 void Trail::adopt_draft() {
   rows_.swap(draft_);
   changed_.swap(drafted_);
   draft_is_close_ = true;
+  drafting_ = false;
   scale_ = draft_scale_;
   rescale();
 }
 
-void Trail::fetch_changes() const {
-  changed_.for_each([&](std::size_t index) { __builtin_prefetch(&rows_[index]); });
+void Trail::fetch_copies() const {
+  for (const std::uint32_t index : copied()) prefetch(&copies_[index]);
+}
+
+void Trail::claim_copies() const {
+  for (const std::uint32_t index : copied()) prefetch_to_write(&copies_[index]);
 }
 
 void Trail::reset(double value) {

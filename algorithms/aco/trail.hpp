@@ -102,16 +102,20 @@ class Trail {
   void keep_draft();
   /// Begins a draft of the next trail: this one with `persistence` times its pheromone. What ants read stays
   /// as it is until the draft is adopted; the limits stay as they are until then. False when there can be
-  /// none: there is no room, or the whole trail is due for rewriting.
+  /// none: there is no room, or the whole trail is due for rewriting. While no other thread reads the trail.
   bool begin_draft(double persistence);
   /// `change_along` on the draft, with factor 1 and amount >= 0. The trail may be read meanwhile.
   void deposit_on_draft(std::size_t index, std::span<const std::uint8_t> directions, double amount,
                         bool both_ways);
   /// The draft becomes the trail: bit by bit what `evaporate` and the same deposits would have made of it.
   void adopt_draft();
-  /// Asks for the rows that have changed since a draft was adopted last or by that: another core has them.
-  /// Others may begin a draft and deposit on it meanwhile.
-  void fetch_changes() const;
+  /// The rows for threads that do not deposit, as long as a draft is under way. A row that two cores read and
+  /// one of them writes changes cores again and again; so they have copies.
+  const TrailRow* rows_for_others() const { return drafting_ ? copies_.data() : rows_.data(); }
+  /// Asks for the copies that have changed when the draft was begun: another core has written them.
+  void fetch_copies() const;
+  /// Asks for the copies that are likely to be written next, once no other thread reads them any more.
+  void claim_copies() const;
 
   /// Keeps every tau in lower..upper from now on. 0 <= lower <= upper.
   void limit(double lower, double upper);
@@ -121,7 +125,9 @@ class Trail {
   /// No ant takes this step any more.
   void close(std::size_t index, int direction) {
     rows_[index].desirability[static_cast<std::size_t>(direction)] = 0;
-    if (!draft_.empty()) draft_[index].desirability[static_cast<std::size_t>(direction)] = 0;
+    if (draft_.empty()) return;
+    draft_[index].desirability[static_cast<std::size_t>(direction)] = 0;
+    copies_[index].desirability[static_cast<std::size_t>(direction)] = 0;
   }
 
  private:
@@ -140,7 +146,9 @@ class Trail {
   void change_strengths(CellRange cells, std::size_t index, std::span<const std::uint8_t> directions,
                         double factor, double amount, bool both_ways);
   void mark_changes(CellRange cells, std::size_t index, std::span<const std::uint8_t> directions);
-  void copy_to_draft();
+  /// Makes draft and copies what the trail is.
+  void copy_rows();
+  std::span<const std::uint32_t> copied() const { return {copied_.data(), copied_count_}; }
   Bounds bounds_at(double scale) const;
   void rescale();
   /// Multiplies every tau out, within the limits; the scale is 1 afterwards.
@@ -160,16 +168,22 @@ class Trail {
   float least_desirability_ = 1;  // of legal steps
   float unit_ = 1;                // stored tau whose strength is 1, when alpha is not 1
   Rows rows_;
-  std::vector<Stored> stored_;  // tau / scale, when alpha is not 1; else the strengths themselves
-  RowMarks changed_;            // rows, since a draft was adopted last and by that
+  std::vector<Stored> stored_;         // tau / scale, when alpha is not 1; else the strengths themselves
+  RowMarks changed_;                   // rows, since a draft was adopted last and by that
+  Rows copies_;                        // of rows, for other threads; empty when no draft is kept
+  std::vector<std::uint32_t> copied_;  // first the rows whose copies were written when a draft was begun last
+  std::size_t copied_count_ = 0;       // how many those are
+  bool drafting_ = false;              // a draft is under way, and the copies are those of the trail
 
   // What a thread writes while others read the trail: on lines of its own. An adopted draft and the trail
   // change places, so that few rows have to be copied for the next one.
-  alignas(128) Rows draft_;  // of the same desirabilities; empty when none is kept
-  RowMarks drafted_;         // rows, by deposits on the draft
+  alignas(128) Rows draft_;      // of the same desirabilities; empty when none is kept
+  RowMarks drafted_;             // rows, by deposits on the draft
+  std::size_t marked_from_ = 0;  // where the path of the last deposit on the draft starts, and the path:
+  std::vector<std::uint8_t> marked_path_;  // ants of a colony that has converged bring the same one home
   double draft_scale_ = 1;
   Bounds draft_bounds_;
-  bool draft_is_close_ = false;  // it differs from the trail in changed rows only
+  bool draft_is_close_ = false;  // it differs from the trail in changed rows only, and so do the copies
 };
 
 }  // namespace pathrace::algorithms

@@ -4,11 +4,12 @@
 #include <atomic>
 
 #include "algorithms/aco/choice.hpp"
+#include "core/prefetch.hpp"
 
 namespace pathrace::algorithms {
 
-Walker::Terms::Terms(const Ground& ground)
-    : rows(ground.trail.rows()),
+Walker::Terms::Terms(const Ground& ground, const TrailRow* trail_rows)
+    : rows(trail_rows),
       stride(static_cast<std::ptrdiff_t>(ground.nest.stride())),
       goal(static_cast<std::uint32_t>(ground.nest.goal())),
       least_strength(ground.trail.least_strength()),
@@ -33,6 +34,7 @@ void Walker::run(AntQueue& ants, const Outing& outing, EarlyDeposits* deposits) 
   outing_ = &outing;
   deposits_ = deposits;
   limit_ = std::min(outing.step_limit, ground_.max_steps);
+  paths_.resize(outing.walks.size());
   const bool far = is_far(ground_.nest.size());
   const auto run = [&]<bool greedy, bool with_places, bool backs_up>() {
     far ? run_lanes<greedy, with_places, backs_up, true>(ants)
@@ -49,7 +51,7 @@ void Walker::run(AntQueue& ants, const Outing& outing, EarlyDeposits* deposits) 
 
 template <bool greedy, bool with_places, bool backs_up, bool far>
 void Walker::run_lanes(AntQueue& ants) {
-  const Terms terms(ground_);
+  const Terms terms(ground_, deposits_ != nullptr ? ground_.trail.rows() : ground_.trail.rows_for_others());
   std::size_t under_way = 0;
   while (under_way < lanes_.size()) {
     const std::size_t ant = ants.take();
@@ -93,12 +95,13 @@ void Walker::begin(std::size_t k, std::size_t ant) {
   lane.pops = 0;
   draws_.set(k, outing_->stream.fork(ant));
   lane.ant = ant;
-  __builtin_prefetch(&outing_->walks[ant], 1);  // the thread that deposits may have read it
+  prefetch_to_write(&outing_->walks[ant]);  // the thread that deposits may have read it, and the path
+  prefetch_to_write(paths_[ant]);
   lane.popped.clear();
   if (!lane.place.empty()) lane.place[lane.cell] = 1;
 }
 
-void Walker::finish(Lane& lane, bool arrived) const {
+void Walker::finish(Lane& lane, bool arrived) {
   Walk& walk = outing_->walks[lane.ant];
   walk.arrived = arrived;
   walk.decisions = lane.decisions();
@@ -107,6 +110,7 @@ void Walker::finish(Lane& lane, bool arrived) const {
   if (arrived || ground_.keep_the_dead) {
     walk.directions.assign(lane.first, lane.next);
   }
+  paths_[lane.ant] = walk.directions.data();
   walk.length = length_of(walk.directions);
   if (ground_.keep_popped) walk.popped = lane.popped;
   std::atomic_ref(walk.round).store(outing_->round, std::memory_order_release);

@@ -62,7 +62,8 @@ class alignas(128) Walker {
   explicit Walker(const Ground& ground, std::size_t lanes);
 
   /// Walks ants of the queue until it is empty: one draw per decision (loop erasure draws twice when it is
-  /// stuck), to the goal, to death, or to the limit. With `deposits`, goes on with them when ants are back.
+  /// stuck), to the goal, to death, or to the limit. With `deposits`, goes on with them when ants are back;
+  /// without, reads the rows for others while there are some.
   void run(AntQueue& ants, const Outing& outing, EarlyDeposits* deposits = nullptr);
 
  private:
@@ -95,7 +96,7 @@ class alignas(128) Walker {
 
   // What does not change while lanes run: a copy on the stack, which no store can be suspected to alter.
   struct Terms {
-    explicit Terms(const Ground& ground);
+    Terms(const Ground& ground, const TrailRow* trail_rows);
 
     const TrailRow* rows;
     std::array<std::int32_t, direction_count> offsets{};
@@ -113,9 +114,11 @@ class alignas(128) Walker {
   template <bool greedy, bool with_places, bool backs_up, bool far>
   Outcome step(std::size_t k, const Terms& terms);
   void begin(std::size_t k, std::size_t ant);
-  void finish(Lane& lane, bool arrived) const;
-  /// Asks for what the lane's next step reads, while other lanes take theirs.
-  static void fetch(const Lane& lane, const TrailRow* row, std::ptrdiff_t stride);
+  void finish(Lane& lane, bool arrived);
+  /// Asks for what the lane's next step reads, while other lanes take theirs. Inline, or g++ would drop the
+  /// calls (core/prefetch.hpp); its way out of that would cost the inner loop a tenth of its speed.
+  [[gnu::always_inline]] static inline void fetch(const Lane& lane, const TrailRow* row,
+                                                  std::ptrdiff_t stride);
   bool may_go_on(Lane& lane) const;
   /// Marks what is not marked yet.
   static void settle(Lane& lane);
@@ -128,7 +131,8 @@ class alignas(128) Walker {
 
   const Ground& ground_;
   std::vector<Lane> lanes_;
-  Draws draws_;  // a column per lane
+  Draws draws_;                             // a column per lane
+  std::vector<const std::uint8_t*> paths_;  // where an ant's path was written last, if by this walker
   // of the current run
   const Outing* outing_ = nullptr;
   EarlyDeposits* deposits_ = nullptr;

@@ -102,6 +102,14 @@ TEST_F(EarlyDepositsTest, KnowWhatTheirWalksComeTo) {
   EXPECT_EQ(deposits.tally().walks, 0U);
 }
 
+TEST_F(EarlyDepositsTest, AreConcludedOnceAllAreBack) {
+  deposits.begin(4, 2);
+  for (std::size_t k = 0; k < 4; ++k) come_back(k, 2);
+  deposits.conclude();
+  EXPECT_EQ(rule.asked, (std::vector<std::size_t>{1, 2, 3, 4}));
+  EXPECT_EQ(deposits.tally().walks, 4U);
+}
+
 TEST_F(EarlyDepositsTest, LeaveTheTrailAloneUntilTheyAreFinished) {
   deposits.begin(4, 1);
   for (std::size_t k = 0; k < 3; ++k) come_back(k, 1);

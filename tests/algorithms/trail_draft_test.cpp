@@ -8,6 +8,16 @@
 namespace pathrace::algorithms {
 namespace {
 
+// While a draft is under way, other threads read copies of the trail's rows; else the rows themselves.
+void expect_copies(const Trail& trail, std::size_t size, bool drafting) {
+  const TrailRow* const copies = trail.rows_for_others();
+  EXPECT_EQ(copies != trail.rows(), drafting);
+  for (std::size_t i = 0; i < size; ++i) {
+    ASSERT_EQ(copies[i].strength, trail.rows()[i].strength) << i;
+    ASSERT_EQ(copies[i].desirability, trail.rows()[i].desirability) << i;
+  }
+}
+
 // As often as `evaporate` rewrites the trail, there is no draft to be had.
 TEST(TrailDraft, AnAdoptedDraftIsEvaporationAndTheSameDepositsBitForBit) {
   const std::vector<std::string> rows(6, ".......");
@@ -54,9 +64,13 @@ TEST(TrailDraft, ADraftFollowsWhateverElseChangesTheTrail) {
     for (Field* field : {&plain, &drafted}) act(field->trail);
   };
   const std::size_t end = plain.moves.size();
+  std::size_t first = 0;
+  std::vector<std::uint8_t> walk;
   for (int round = 0; round < 600; ++round) {
-    const std::size_t first = plain.at(stream.between(0, 6), stream.between(0, 5));
-    const std::vector<std::uint8_t> walk = random_walk(plain, first, stream);
+    if (round % 5 < 2) {  // else that of the round before
+      first = plain.at(stream.between(0, 6), stream.between(0, 5));
+      walk = random_walk(plain, first, stream);
+    }
     const double amount = 2 * stream.uniform();
     const auto cut = static_cast<std::size_t>(stream.between(0, static_cast<int>(end)));
     const int deed = round % 8;
@@ -71,17 +85,39 @@ TEST(TrailDraft, ADraftFollowsWhateverElseChangesTheTrail) {
       drafted.trail.deposit_on_draft(first, walk, amount, true);  // and is not adopted
     }
     const bool draft = drafted.trail.begin_draft(0.95);
+    expect_copies(drafted.trail, end, draft);
+    if (!draft) drafted.trail.evaporate(0.95);
     plain.trail.evaporate(0.95);
-    plain.trail.change_along(first, walk, 1, amount, true);
-    if (draft) {
-      drafted.trail.deposit_on_draft(first, walk, amount, true);
-      drafted.trail.adopt_draft();
-    } else {
-      drafted.trail.evaporate(0.95);
-      drafted.trail.change_along(first, walk, 1, amount, true);
+    for (int ant = 0; ant < 2; ++ant) {
+      plain.trail.change_along(first, walk, 1, amount, true);
+      draft ? drafted.trail.deposit_on_draft(first, walk, amount, true)
+            : drafted.trail.change_along(first, walk, 1, amount, true);
     }
-    drafted.trail.fetch_changes();
+    expect_copies(drafted.trail, end, draft);
+    if (draft) drafted.trail.adopt_draft();
+    EXPECT_EQ(drafted.trail.rows_for_others(), drafted.trail.rows());
     for (std::size_t i = 0; i < end; ++i) {
+      if (plain.moves[i] == 0) continue;
+      ASSERT_EQ(drafted.trail.rows()[i].strength, plain.trail.rows()[i].strength) << round << ' ' << i;
+    }
+  }
+}
+
+// Where a path has been marked already, its rows are not marked again.
+TEST(TrailDraft, TheSameDirectionsFromAnotherCellAreAnotherPath) {
+  Field plain(open_ground, MoveRule::free, 1, 1, equal);
+  Field drafted(open_ground, MoveRule::free, 1, 1, equal);
+  const std::vector<std::uint8_t> east = {0, 0};
+  drafted.trail.keep_draft();
+  for (int round = 0; round < 3; ++round) {
+    ASSERT_TRUE(drafted.trail.begin_draft(0.5));
+    plain.trail.evaporate(0.5);
+    for (const int y : {0, 1, 2, 2}) {
+      plain.trail.change_along(plain.at(0, y), east, 1, 1 + y, true);
+      drafted.trail.deposit_on_draft(plain.at(0, y), east, 1 + y, true);
+    }
+    drafted.trail.adopt_draft();
+    for (std::size_t i = 0; i < plain.moves.size(); ++i) {
       if (plain.moves[i] == 0) continue;
       ASSERT_EQ(drafted.trail.rows()[i].strength, plain.trail.rows()[i].strength) << round << ' ' << i;
     }
@@ -116,6 +152,7 @@ TEST(TrailDraft, AStepClosedBesideADraftStaysClosed) {
   field.trail.keep_draft();
   ASSERT_TRUE(field.trail.begin_draft(0.5));
   field.trail.close(middle, 4);
+  expect_copies(field.trail, field.moves.size(), true);
   field.trail.adopt_draft();
   EXPECT_EQ(field.trail.weight(middle, 4), 0);
   EXPECT_GT(field.trail.weight(middle, 5), 0);

@@ -131,6 +131,43 @@ TEST(Walker, WritesTheRoundOnEveryWalkItHasFinished) {
   for (std::size_t k = 1; k < walks.size(); ++k) EXPECT_EQ(walks[k].round, 9U);
 }
 
+// A draft's copies and the trail differ only in where they are; here they are made to differ in what they
+// say.
+TEST(Walker, ReadsTheCopiesForOthersUnlessItDeposits) {
+  const OccupancyGrid map = grid_of({"...", "...", "..."});
+  Field field(map, MoveRule::four, {0, 0}, {2, 2});
+  const auto prefer = [&](int direction, double pheromone) {
+    for (int y = 0; y < 3; ++y) {
+      for (int x = 0; x < 3; ++x) {
+        const std::size_t index = map.index({x, y});
+        if ((field.nest.open(index) >> direction & 1) != 0) field.trail.set(index, direction, pheromone);
+      }
+    }
+  };
+  constexpr int east = 0;
+  ColonySettings settings;
+  struct Rule final : PheromoneRule {
+    using PheromoneRule::PheromoneRule;
+    double initial_pheromone(const Scout& /*scout*/) const override { return 1; }
+    void learn(Colony& /*colony*/, const Harvest& /*harvest*/) override {}
+  } rule(settings);
+  std::vector<Walk> walks(1);
+  EarlyDeposits deposits(rule, field.nest, field.trail, walks);
+  prefer(east, 1e9);
+  ASSERT_TRUE(field.trail.begin_draft(0.5));
+  prefer(east, 1e-9);
+  const Ground shared = field.ground(DeadEnd::die);
+  const Stream stream(3);
+  const Meter meter({});
+  const auto first_step = [&](EarlyDeposits* early) {
+    AntQueue queue(0, 1);
+    Walker(shared, 1).run(queue, {stream, no_limit, meter, walks}, early);
+    return int{walks[0].directions.front()};
+  };
+  EXPECT_EQ(first_step(nullptr), east);
+  EXPECT_NE(first_step(&deposits), east);
+}
+
 TEST(Walker, StopsAtTheStepLimit) {
   const Field field(grid_of({"..................."}), MoveRule::four, {0, 0}, {18, 0});
   const Walk walk = field.walk(DeadEnd::die, 1, 1, 7)[0];
