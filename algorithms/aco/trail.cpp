@@ -174,18 +174,21 @@ void Trail::keep_draft() {
   draft_is_close_ = true;
 }
 
-void Trail::copy_rows() {
+void Trail::write_copies() {
   if (draft_is_close_) {
     copied_count_ = static_cast<std::size_t>(changed_.list(copied_.data()) - copied_.data());
   } else {
     copied_count_ = copied_.size();
     std::iota(copied_.begin(), copied_.end(), 0U);
   }
-  for (const std::uint32_t index : copied()) {
-    draft_[index].strength = copies_[index].strength = rows_[index].strength;
-  }
+  for (const std::uint32_t index : copied()) copies_[index].strength = rows_[index].strength;
+}
+
+void Trail::fill_draft() {
+  for (const std::uint32_t index : copied()) draft_[index].strength = rows_[index].strength;
   drafted_.clear();
   marked_path_.clear();
+  draft_is_due_ = false;
 }
 
 bool Trail::begin_draft(double persistence) {
@@ -193,13 +196,15 @@ bool Trail::begin_draft(double persistence) {
   drafting_ = !draft_.empty() && draft_scale_ >= smallest_scale_;
   if (!drafting_) return false;
   draft_bounds_ = bounds_at(draft_scale_);
-  copy_rows();
+  write_copies();
+  draft_is_due_ = true;
   draft_is_close_ = false;  // unless it is adopted
   return true;
 }
 
 void Trail::deposit_on_draft(std::size_t index, std::span<const std::uint8_t> directions, double amount,
                              bool both_ways) {
+  if (draft_is_due_) fill_draft();
   const auto added = static_cast<float>(amount / draft_scale_);
   const auto add = addition(added, draft_bounds_.least, draft_bounds_.most);
   float* const row = draft_[index].strength.data();
@@ -218,6 +223,7 @@ void Trail::deposit_on_draft(std::size_t index, std::span<const std::uint8_t> di
 }
 
 void Trail::adopt_draft() {
+  if (draft_is_due_) fill_draft();
   rows_.swap(draft_);
   changed_.swap(drafted_);
   draft_is_close_ = true;

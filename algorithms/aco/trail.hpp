@@ -146,8 +146,9 @@ class Trail {
   void change_strengths(CellRange cells, std::size_t index, std::span<const std::uint8_t> directions,
                         double factor, double amount, bool both_ways);
   void mark_changes(CellRange cells, std::size_t index, std::span<const std::uint8_t> directions);
-  /// Makes draft and copies what the trail is.
-  void copy_rows();
+  /// Makes the copies, and the draft, what the trail is.
+  void write_copies();
+  void fill_draft();
   std::span<const std::uint32_t> copied() const { return {copied_.data(), copied_count_}; }
   Bounds bounds_at(double scale) const;
   void rescale();
@@ -184,6 +185,7 @@ class Trail {
   double draft_scale_ = 1;
   Bounds draft_bounds_;
   bool draft_is_close_ = false;  // it differs from the trail in changed rows only, and so do the copies
+  bool draft_is_due_ = false;    // it was begun and not filled yet, which may be done while others walk
 };
 
 }  // namespace pathrace::algorithms
