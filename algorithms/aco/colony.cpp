@@ -234,8 +234,16 @@ void Colony::deposit_all(std::size_t count) {
                            settings_.both_ways);
     }
   };
-  if (parts == 1) return deposit_within(0, nest_.size());
+  if (parts == 1) return deposit_in_turn(count);
   executor_->run(nest_.size(), cells, deposit_within);
+}
+
+void Colony::deposit_in_turn(std::size_t count) {
+  Trail::Deposits deposits(*trail_);
+  for (std::size_t k = 0; k < count; ++k) {
+    if (!walks_[k].arrived) continue;
+    deposits.add(nest_.start(), walks_[k].directions, amounts_[k], settings_.both_ways);
+  }
 }
 
 void Colony::change(const Walk& walk, double factor, double amount) {

@@ -87,6 +87,7 @@ class Colony {
   std::optional<Tally> early_tally(std::size_t count);
   std::size_t charge(std::size_t walked, const std::optional<Tally>& known, Meter& meter) const;
   bool keep_best(const Tally& tally, Meter& meter);
+  void deposit_in_turn(std::size_t count);
   Walk strongest_trail() const;
   void draw(Overlay& overlay) const;
 

@@ -58,20 +58,13 @@ auto addition(float added, float least, float most) {
 
 }  // namespace
 
-RowSteps::RowSteps(const MoveTable& moves) {
-  for (int d = 0; d < direction_count; ++d) {
-    const auto k = static_cast<std::size_t>(d);
-    on[k] = moves.offset(d) * static_cast<std::ptrdiff_t>(floats_per_row);
-    back[k] = on[k] + opposite(d);
-  }
-}
-
 Trail::Trail(const MoveTable& moves, double initial, double alpha, double beta, const Heuristic& eta)
     : moves_(moves),
       steps_(moves),
       alpha_(alpha),
       smallest_scale_(std::ldexp(1.0, -static_cast<int>(40 / std::max(1.0, alpha)))),
-      rows_(moves.size(), TrailRow{}) {
+      rows_(moves.size(), TrailRow{}),
+      held_(moves.size()) {
   if (alpha != 1) stored_.resize(moves.size(), Stored{});
   for (std::size_t index = 0; index < moves.size(); ++index) {
     if (moves[index] == 0) continue;
@@ -187,7 +180,7 @@ void Trail::write_copies() {
 void Trail::fill_draft() {
   for (const std::uint32_t index : copied()) draft_[index].strength = rows_[index].strength;
   drafted_.clear();
-  marked_path_.clear();
+  held_.drop();
   draft_is_due_ = false;
 }
 
@@ -202,28 +195,43 @@ bool Trail::begin_draft(double persistence) {
   return true;
 }
 
+void Trail::add_along(Rows& rows, std::size_t index, std::span<const std::uint8_t> directions, bool both_ways,
+                      float added, const Bounds& bounds, RowMarks& marks) {
+  if (!held_.is(index, directions, both_ways)) {
+    held_.change_to(index, directions, both_ways);
+  } else if (held_.hold(rows.data(), steps_)) {  // its rows are marked
+    return held_.add(added, bounds.least, bounds.most);
+  }
+  const auto add = addition(added, bounds.least, bounds.most);
+  float* const row = rows[index].strength.data();
+  const auto go = [&](const auto& visit) {
+    both_ways ? for_each_strength<true, true>(row, 0, row, steps_, directions, add, visit)
+              : for_each_strength<false, true>(row, 0, row, steps_, directions, add, visit);
+  };
+  if (draft_.empty()) return go([](const float*) {});
+  go([mark = marks.adder(), first = rows[0].strength.data()](const float* visited) {
+    mark(static_cast<std::size_t>(visited - first) / floats_per_row);
+  });
+}
+
+void Trail::Deposits::add(std::size_t index, std::span<const std::uint8_t> directions, double amount,
+                          bool both_ways) {
+  if (!trail_.stored_.empty()) return trail_.change_along(index, directions, 1, amount, both_ways);
+  const auto added = static_cast<float>(amount / trail_.scale_);
+  trail_.add_along(trail_.rows_, index, directions, both_ways, added, {trail_.least_, trail_.most_},
+                   trail_.changed_);
+}
+
 void Trail::deposit_on_draft(std::size_t index, std::span<const std::uint8_t> directions, double amount,
                              bool both_ways) {
   if (draft_is_due_) fill_draft();
   const auto added = static_cast<float>(amount / draft_scale_);
-  const auto add = addition(added, draft_bounds_.least, draft_bounds_.most);
-  float* const row = draft_[index].strength.data();
-  const auto mark = [add_row = drafted_.adder(), first = draft_[0].strength.data()](const float* visited) {
-    add_row(static_cast<std::size_t>(visited - first) / floats_per_row);
-  };
-  const auto deposit = [&](const auto& visit) {
-    both_ways ? for_each_strength<true, true>(row, 0, row, steps_, directions, add, visit)
-              : for_each_strength<false, true>(row, 0, row, steps_, directions, add, visit);
-  };
-  const bool marked = index == marked_from_ && std::ranges::equal(directions, marked_path_);
-  if (marked) return deposit([](const float*) {});
-  marked_from_ = index;
-  marked_path_.assign(directions.begin(), directions.end());
-  deposit(mark);
+  add_along(draft_, index, directions, both_ways, added, draft_bounds_, drafted_);
 }
 
 void Trail::adopt_draft() {
   if (draft_is_due_) fill_draft();
+  held_.end();
   rows_.swap(draft_);
   changed_.swap(drafted_);
   draft_is_close_ = true;

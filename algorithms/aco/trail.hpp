@@ -21,27 +21,13 @@
 #include <span>
 #include <vector>
 
+#include "algorithms/aco/held_path.hpp"
 #include "algorithms/aco/huge_pages.hpp"
 #include "algorithms/aco/row_marks.hpp"
+#include "algorithms/aco/trail_row.hpp"
 #include "core/moves.hpp"
 
 namespace pathrace::algorithms {
-
-/// What an ant reads at a cell.
-struct alignas(64) TrailRow {
-  std::array<float, direction_count> strength;      ///< (stored tau)^alpha, below the limit perhaps
-  std::array<float, direction_count> desirability;  ///< (eta / largest eta)^beta, 0 for closed steps
-};
-
-inline constexpr std::size_t floats_per_row = sizeof(TrailRow) / sizeof(float);
-
-/// A step in each direction, as what it adds to a pointer to the first strength of its row.
-struct RowSteps {
-  explicit RowSteps(const MoveTable& moves);
-
-  std::array<std::ptrdiff_t, direction_count> on;    ///< to the row it leads to
-  std::array<std::ptrdiff_t, direction_count> back;  ///< and there to the step back
-};
 
 /// The cells begin..end-1.
 struct CellRange {
@@ -98,6 +84,8 @@ class Trail {
   void change_along(CellRange cells, std::size_t index, std::span<const std::uint8_t> directions,
                     double factor, double amount, bool both_ways);
 
+  class Deposits;
+
   /// From now on there is room for a draft, if alpha is 1. Before any thread reads the trail.
   void keep_draft();
   /// Begins a draft of the next trail: this one with `persistence` times its pheromone. What ants read stays
@@ -148,6 +136,10 @@ class Trail {
   void mark_changes(CellRange cells, std::size_t index, std::span<const std::uint8_t> directions);
   /// Makes the copies, and the draft, what the trail is.
   void write_copies();
+  /// An addition along a path to rows of this trail or of its draft. Rows are marked, if there is a set for
+  /// that.
+  void add_along(Rows& rows, std::size_t index, std::span<const std::uint8_t> directions, bool both_ways,
+                 float added, const Bounds& bounds, RowMarks& marks);
   void fill_draft();
   std::span<const std::uint32_t> copied() const { return {copied_.data(), copied_count_}; }
   Bounds bounds_at(double scale) const;
@@ -178,14 +170,29 @@ class Trail {
 
   // What a thread writes while others read the trail: on lines of its own. An adopted draft and the trail
   // change places, so that few rows have to be copied for the next one.
-  alignas(128) Rows draft_;      // of the same desirabilities; empty when none is kept
-  RowMarks drafted_;             // rows, by deposits on the draft
-  std::size_t marked_from_ = 0;  // where the path of the last deposit on the draft starts, and the path:
-  std::vector<std::uint8_t> marked_path_;  // ants of a colony that has converged bring the same one home
+  alignas(128) Rows draft_;  // of the same desirabilities; empty when none is kept
+  RowMarks drafted_;         // rows, by deposits on the draft
+  HeldPath held_;            // of the draft, or of the rows while there are Deposits
   double draft_scale_ = 1;
   Bounds draft_bounds_;
   bool draft_is_close_ = false;  // it differs from the trail in changed rows only, and so do the copies
   bool draft_is_due_ = false;    // it was begun and not filled yet, which may be done while others walk
+};
+
+/// Deposits on a trail one after another. The trail has all of them once this is gone; nobody reads it
+/// before.
+class Trail::Deposits {
+ public:
+  explicit Deposits(Trail& trail) : trail_(trail) { trail_.held_.drop(); }
+  Deposits(const Deposits&) = delete;
+  Deposits& operator=(const Deposits&) = delete;
+  ~Deposits() { trail_.held_.end(); }
+
+  /// `change_along` with factor 1 and amount >= 0.
+  void add(std::size_t index, std::span<const std::uint8_t> directions, double amount, bool both_ways);
+
+ private:
+  Trail& trail_;
 };
 
 }  // namespace pathrace::algorithms
