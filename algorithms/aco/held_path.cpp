@@ -3,46 +3,18 @@
 #include <algorithm>
 
 namespace pathrace::algorithms {
-namespace {
 
-// Calls `visit(row)` for each row of the path.
-template <typename Row, typename Visit>
-void for_each_row(Row* row, const RowSteps& steps, std::span<const std::uint8_t> directions, Visit visit) {
-  visit(row);
-  for (const std::size_t direction : directions) {
-    row += steps.on[direction];
-    visit(row);
-  }
-}
-
-}  // namespace
-
-bool HeldPath::is(std::size_t from, std::span<const std::uint8_t> directions, bool both_ways) const {
-  return known_ && from == from_ && both_ways == both_ways_ && std::ranges::equal(directions, directions_);
-}
-
-void HeldPath::change_to(std::size_t from, std::span<const std::uint8_t> directions, bool both_ways) {
+bool HeldPath::comes(TrailRow* rows, const RowSteps& steps, std::size_t from,
+                     std::span<const std::uint8_t> directions, bool both_ways) {
+  const bool again =
+      known_ && from == from_ && both_ways == both_ways_ && std::ranges::equal(directions, directions_);
+  if (again) return held_ || hold(rows, steps);
   put_back();
   from_ = from;
   directions_.assign(directions.begin(), directions.end());
   both_ways_ = both_ways;
   known_ = true;
-}
-
-bool HeldPath::hold(TrailRow* rows, const RowSteps& steps) {
-  if (held_) return true;
-  if (!is_simple(rows, steps)) return false;
-  where_.clear();
-  float* row = rows[from_].strength.data();
-  for (const std::size_t direction : directions_) {
-    where_.push_back(row + direction);
-    if (both_ways_) where_.push_back(row + steps.back[direction]);
-    row += steps.on[direction];
-  }
-  strengths_.resize(where_.size());
-  std::ranges::transform(where_, strengths_.begin(), [](const float* strength) { return *strength; });
-  held_ = true;
-  return true;
+  return false;
 }
 
 void HeldPath::add(float added, float least, float most) {
@@ -58,19 +30,29 @@ void HeldPath::drop() {
   held_ = known_ = false;
 }
 
-bool HeldPath::is_simple(const TrailRow* rows, const RowSteps& steps) {
-  const float* const first = rows[0].strength.data();
-  const float* const start = rows[from_].strength.data();
-  const auto seen = [&](const float* row) -> std::uint8_t& {
+// False when the path comes to a row twice.
+bool HeldPath::hold(TrailRow* rows, const RowSteps& steps) {
+  float* const start = rows[from_].strength.data();
+  const auto seen = [this, first = rows[0].strength.data()](const float* row) -> std::uint8_t& {
     return seen_[static_cast<std::size_t>(row - first) / floats_per_row];
   };
+  const auto along = [&](const auto& take, const auto& visit) {
+    both_ways_ ? for_each_strength<true, true>(start, 0, start, steps, directions_, take, visit)
+               : for_each_strength<false, true>(start, 0, start, steps, directions_, take, visit);
+  };
+  where_.clear();
   std::uint8_t twice = 0;
-  for_each_row(start, steps, directions_, [&](const float* row) {
-    twice |= seen(row);
-    seen(row) = 1;
-  });
-  for_each_row(start, steps, directions_, [&](const float* row) { seen(row) = 0; });
-  return twice == 0;
+  along([&](float& tau) { where_.push_back(&tau); },
+        [&](const float* row) {
+          twice |= seen(row);
+          seen(row) = 1;
+        });
+  along([](float&) {}, [&](const float* row) { seen(row) = 0; });
+  if (twice != 0) return false;
+  strengths_.resize(where_.size());
+  std::ranges::transform(where_, strengths_.begin(), [](const float* tau) { return *tau; });
+  held_ = true;
+  return true;
 }
 
 void HeldPath::put_back() {

@@ -16,26 +16,23 @@ namespace pathrace::algorithms {
 
 class HeldPath {
  public:
-  HeldPath() = default;
   /// For paths over this many rows.
   explicit HeldPath(std::size_t rows) : seen_(rows, 0) {}
 
-  /// True when the last path was this one: from row `from` on, with the steps back or without.
-  bool is(std::size_t from, std::span<const std::uint8_t> directions, bool both_ways) const;
-  /// Another path comes: what was held goes back to its rows.
-  void change_to(std::size_t from, std::span<const std::uint8_t> directions, bool both_ways);
-  /// Takes the last path's strengths out of the rows, if they are not held yet. False when that cannot be
-  /// done, because the path comes to a row twice.
-  bool hold(TrailRow* rows, const RowSteps& steps);
+  /// A path comes: from row `from` on, with the steps back or without. True when it is the one that came
+  /// last, and its strengths are held: `add` adds to them. False when its rows are to be added to: it is
+  /// another, and what was held is back in its rows; or it comes to a row twice, and cannot be held.
+  bool comes(TrailRow* rows, const RowSteps& steps, std::size_t from,
+             std::span<const std::uint8_t> directions, bool both_ways);
   /// strength := min(max(strength, least) + added, most) for all that are held.
   void add(float added, float least, float most);
-  /// What was held goes back to its rows; there is no last path any more.
+  /// What was held goes back to its rows; the next path is another.
   void end();
-  /// There is no last path any more; what was held is lost.
+  /// What was held is lost; the next path is another.
   void drop();
 
  private:
-  bool is_simple(const TrailRow* rows, const RowSteps& steps);
+  bool hold(TrailRow* rows, const RowSteps& steps);
   void put_back();
 
   std::size_t from_ = 0;

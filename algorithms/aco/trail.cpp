@@ -31,26 +31,6 @@ std::array<float, direction_count> desirabilities(unsigned mask, std::size_t ind
   return row;
 }
 
-// Calls `visit(row)` for each row of the path, and `change(strength)` for each step, and for each step back
-// when `both_ways`, that leads out of one of the `count` rows from `first` on. `row` is where the path
-// starts. What is called comes by value: a float that is stored could be a limit, if that were only referred
-// to, and limits were then read anew for each step.
-template <bool both_ways, bool everywhere, typename Change, typename Visit>
-void for_each_strength(float* first, std::size_t count, float* row, const RowSteps& steps,
-                       std::span<const std::uint8_t> directions, Change change, Visit visit) {
-  const auto mine = [=](const float* strength) {
-    return everywhere || static_cast<std::size_t>(strength - first) < count * floats_per_row;
-  };
-  for (const std::size_t direction : directions) {
-    float* const back = row + steps.back[direction];
-    visit(row);
-    if (mine(row)) change(row[direction]);
-    if (both_ways && mine(back)) change(*back);
-    row += steps.on[direction];
-  }
-  visit(row);
-}
-
 // Adds to a strength, within limits. What is only added to cannot fall below the lower one.
 auto addition(float added, float least, float most) {
   return [=](float& tau) { tau = std::min(std::max(tau, least) + added, most); };
@@ -195,38 +175,29 @@ bool Trail::begin_draft(double persistence) {
   return true;
 }
 
-void Trail::add_along(Rows& rows, std::size_t index, std::span<const std::uint8_t> directions, bool both_ways,
-                      float added, const Bounds& bounds, RowMarks& marks) {
-  if (!held_.is(index, directions, both_ways)) {
-    held_.change_to(index, directions, both_ways);
-  } else if (held_.hold(rows.data(), steps_)) {  // its rows are marked
-    return held_.add(added, bounds.least, bounds.most);
-  }
-  const auto add = addition(added, bounds.least, bounds.most);
-  float* const row = rows[index].strength.data();
-  const auto go = [&](const auto& visit) {
-    both_ways ? for_each_strength<true, true>(row, 0, row, steps_, directions, add, visit)
-              : for_each_strength<false, true>(row, 0, row, steps_, directions, add, visit);
-  };
-  if (draft_.empty()) return go([](const float*) {});
-  go([mark = marks.adder(), first = rows[0].strength.data()](const float* visited) {
-    mark(static_cast<std::size_t>(visited - first) / floats_per_row);
-  });
-}
-
 void Trail::Deposits::add(std::size_t index, std::span<const std::uint8_t> directions, double amount,
                           bool both_ways) {
-  if (!trail_.stored_.empty()) return trail_.change_along(index, directions, 1, amount, both_ways);
-  const auto added = static_cast<float>(amount / trail_.scale_);
-  trail_.add_along(trail_.rows_, index, directions, both_ways, added, {trail_.least_, trail_.most_},
-                   trail_.changed_);
+  Trail& trail = trail_;
+  const bool held = trail.stored_.empty() &&
+                    trail.held_.comes(trail.rows_.data(), trail.steps_, index, directions, both_ways);
+  if (!held) return trail.change_along(index, directions, 1, amount, both_ways);
+  trail.held_.add(static_cast<float>(amount / trail.scale_), trail.least_, trail.most_);
 }
 
+// The rows of a held path have been marked when it came first.
 void Trail::deposit_on_draft(std::size_t index, std::span<const std::uint8_t> directions, double amount,
                              bool both_ways) {
   if (draft_is_due_) fill_draft();
   const auto added = static_cast<float>(amount / draft_scale_);
-  add_along(draft_, index, directions, both_ways, added, draft_bounds_, drafted_);
+  const auto [least, most] = draft_bounds_;
+  if (held_.comes(draft_.data(), steps_, index, directions, both_ways)) return held_.add(added, least, most);
+  const auto add = addition(added, least, most);
+  float* const row = draft_[index].strength.data();
+  const auto mark = [add_row = drafted_.adder(), first = draft_[0].strength.data()](const float* visited) {
+    add_row(static_cast<std::size_t>(visited - first) / floats_per_row);
+  };
+  both_ways ? for_each_strength<true, true>(row, 0, row, steps_, directions, add, mark)
+            : for_each_strength<false, true>(row, 0, row, steps_, directions, add, mark);
 }
 
 void Trail::adopt_draft() {

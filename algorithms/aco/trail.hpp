@@ -134,12 +134,8 @@ class Trail {
   void change_strengths(CellRange cells, std::size_t index, std::span<const std::uint8_t> directions,
                         double factor, double amount, bool both_ways);
   void mark_changes(CellRange cells, std::size_t index, std::span<const std::uint8_t> directions);
-  /// Makes the copies, and the draft, what the trail is.
+  /// These make the copies, and the draft, what the trail is.
   void write_copies();
-  /// An addition along a path to rows of this trail or of its draft. Rows are marked, if there is a set for
-  /// that.
-  void add_along(Rows& rows, std::size_t index, std::span<const std::uint8_t> directions, bool both_ways,
-                 float added, const Bounds& bounds, RowMarks& marks);
   void fill_draft();
   std::span<const std::uint32_t> copied() const { return {copied_.data(), copied_count_}; }
   Bounds bounds_at(double scale) const;
@@ -179,8 +175,7 @@ class Trail {
   bool draft_is_due_ = false;    // it was begun and not filled yet, which may be done while others walk
 };
 
-/// Deposits on a trail one after another. The trail has all of them once this is gone; nobody reads it
-/// before.
+/// Deposits on a trail, one after another. It has all of them once this is gone; nobody reads it before.
 class Trail::Deposits {
  public:
   explicit Deposits(Trail& trail) : trail_(trail) { trail_.held_.drop(); }

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 
 #include "core/moves.hpp"
 
@@ -29,5 +31,25 @@ struct RowSteps {
   std::array<std::ptrdiff_t, direction_count> on;    ///< to the row it leads to
   std::array<std::ptrdiff_t, direction_count> back;  ///< and there to the step back
 };
+
+// Calls `visit(row)` for each row of the path, and `change(strength)` for each step, and for each step back
+// when `both_ways`, that leads out of one of the `count` rows from `first` on. `row` is where the path
+// starts. What is called comes by value: a float that is stored could be a limit, if that were only referred
+// to, and limits were then read anew for each step.
+template <bool both_ways, bool everywhere, typename Change, typename Visit>
+void for_each_strength(float* first, std::size_t count, float* row, const RowSteps& steps,
+                       std::span<const std::uint8_t> directions, Change change, Visit visit) {
+  const auto mine = [=](const float* strength) {
+    return everywhere || static_cast<std::size_t>(strength - first) < count * floats_per_row;
+  };
+  for (const std::size_t direction : directions) {
+    float* const back = row + steps.back[direction];
+    visit(row);
+    if (mine(row)) change(row[direction]);
+    if (both_ways && mine(back)) change(*back);
+    row += steps.on[direction];
+  }
+  visit(row);
+}
 
 }  // namespace pathrace::algorithms

@@ -16,16 +16,6 @@ const std::vector<std::uint8_t> diagonal = {1, 1, 1, 1};
 const std::vector<std::vector<std::uint8_t>> paths = {
     zigzag, diagonal, {0, 2, 4, 6, 1}};  // the last one is a loop
 
-void expect_equal(const Trail& trail, const Trail& expected, const MoveTable& moves) {
-  for (std::size_t i = 0; i < moves.size(); ++i) {
-    if (moves[i] == 0) continue;
-    for (int d = 0; d < direction_count; ++d) {
-      if ((moves[i] >> d & 1) == 0) continue;
-      ASSERT_EQ(trail.pheromone(i, d), expected.pheromone(i, d)) << i << ' ' << d;
-    }
-  }
-}
-
 // Runs of one path, of others between them, and of one that crosses itself; of amounts that differ.
 TEST(HeldPath, DepositsInTurnAreChangesInTurnBitForBit) {
   Stream stream(11);
@@ -47,7 +37,7 @@ TEST(HeldPath, DepositsInTurnAreChangesInTurnBitForBit) {
         }
       }
     }
-    expect_equal(held.trail, plain.trail, plain.moves);
+    expect_same_strengths(held, plain);
   }
 }
 
@@ -72,22 +62,16 @@ TEST(HeldPath, OfADraftThatIsNotAdoptedIsForgotten) {
   EXPECT_EQ(field.trail.pheromone(from, 1), 5);
 }
 
-TEST(HeldPath, IsKnownByItsStartItsDirectionsAndItsSteps) {
-  HeldPath path(9);
-  EXPECT_FALSE(path.is(0, {}, false));
-  path.change_to(3, diagonal, true);
-  EXPECT_TRUE(path.is(3, diagonal, true));
-  EXPECT_FALSE(path.is(4, diagonal, true));
-  EXPECT_FALSE(path.is(3, diagonal, false));
-  EXPECT_FALSE(path.is(3, zigzag, true));
-  path.end();
-  EXPECT_FALSE(path.is(3, diagonal, true));
-}
-
 class HeldOnRows : public ::testing::Test {
  protected:
-  HeldOnRows() { path.change_to(0, east, false); }
+  HeldOnRows() {
+    EXPECT_FALSE(comes(0, east)) << "it comes for the first time";
+    EXPECT_TRUE(comes(0, east));
+  }
 
+  bool comes(std::size_t from, const std::vector<std::uint8_t>& directions, bool both_ways = false) {
+    return path.comes(rows.data(), steps, from, directions, both_ways);
+  }
   float strength() const { return rows[0].strength[0]; }
 
   OccupancyGrid grid = testing::grid_of({"..."});
@@ -98,32 +82,36 @@ class HeldOnRows : public ::testing::Test {
   HeldPath path{moves.size()};
 };
 
+TEST_F(HeldOnRows, AnotherStartOrOtherDirectionsOrStepsAreAnotherPath) {
+  EXPECT_FALSE(comes(1, east));
+  EXPECT_FALSE(comes(1, {0, 0}));
+  EXPECT_FALSE(comes(1, {0, 0}, true));
+  EXPECT_TRUE(comes(1, {0, 0}, true));
+}
+
 TEST_F(HeldOnRows, ItsRowsHaveTheSumsOnceItEnds) {
-  rows[0].strength[0] = 1;
-  ASSERT_TRUE(path.hold(rows.data(), steps));
-  path.add(2, 0, 100);
-  ASSERT_TRUE(path.hold(rows.data(), steps)) << "it is held already";
-  path.add(3, 0, 100);
+  path.add(2, 1, 100);
+  ASSERT_TRUE(comes(0, east));
+  path.add(3, 1, 100);
+  EXPECT_EQ(strength(), 0);
   path.end();
   EXPECT_EQ(strength(), 6);
+  EXPECT_FALSE(comes(0, east)) << "there is no last path any more";
 }
 
 TEST_F(HeldOnRows, ItsRowsHaveTheSumsOnceAnotherPathComes) {
-  ASSERT_TRUE(path.hold(rows.data(), steps));
   path.add(2, 0.5, 100);
-  path.change_to(1, east, false);
+  EXPECT_FALSE(comes(1, east));
   EXPECT_EQ(strength(), 2.5F);
 }
 
 TEST_F(HeldOnRows, SumsStayWithinTheLimits) {
-  ASSERT_TRUE(path.hold(rows.data(), steps));
   path.add(2, 0, 1.5F);
   path.end();
   EXPECT_EQ(strength(), 1.5F);
 }
 
 TEST_F(HeldOnRows, WhatIsDroppedDoesNotComeBack) {
-  ASSERT_TRUE(path.hold(rows.data(), steps));
   path.add(2, 0, 100);
   path.drop();
   path.end();
@@ -131,10 +119,9 @@ TEST_F(HeldOnRows, WhatIsDroppedDoesNotComeBack) {
 }
 
 TEST_F(HeldOnRows, APathThatComesToARowTwiceIsNotHeld) {
-  path.change_to(0, std::vector<std::uint8_t>{0, 4}, false);
-  EXPECT_FALSE(path.hold(rows.data(), steps));
-  path.change_to(0, east, false);
-  EXPECT_TRUE(path.hold(rows.data(), steps)) << "nothing is left of the other";
+  for (int time = 0; time < 3; ++time) EXPECT_FALSE(comes(0, {0, 4}));
+  EXPECT_FALSE(comes(0, east));
+  EXPECT_TRUE(comes(0, east)) << "nothing is left of the other";
 }
 
 }  // namespace

@@ -43,10 +43,7 @@ TEST(TrailDraft, AnAdoptedDraftIsEvaporationAndTheSameDepositsBitForBit) {
       }
       if (draft) drafted.trail.adopt_draft();
       ASSERT_EQ(drafted.trail.least_strength(), plain.trail.least_strength());
-      for (std::size_t i = 0; i < plain.moves.size(); ++i) {
-        if (plain.moves[i] == 0) continue;  // no ant reads it
-        ASSERT_EQ(drafted.trail.rows()[i].strength, plain.trail.rows()[i].strength) << round << ' ' << i;
-      }
+      ASSERT_NO_FATAL_FAILURE(expect_same_strengths(drafted, plain)) << round;
     }
     EXPECT_GT(refused, 0);
     EXPECT_LT(refused, 5);
@@ -96,10 +93,7 @@ TEST(TrailDraft, ADraftFollowsWhateverElseChangesTheTrail) {
     expect_copies(drafted.trail, end, draft);
     if (draft) drafted.trail.adopt_draft();
     EXPECT_EQ(drafted.trail.rows_for_others(), drafted.trail.rows());
-    for (std::size_t i = 0; i < end; ++i) {
-      if (plain.moves[i] == 0) continue;
-      ASSERT_EQ(drafted.trail.rows()[i].strength, plain.trail.rows()[i].strength) << round << ' ' << i;
-    }
+    ASSERT_NO_FATAL_FAILURE(expect_same_strengths(drafted, plain)) << round;
   }
 }
 
@@ -117,10 +111,7 @@ TEST(TrailDraft, TheSameDirectionsFromAnotherCellAreAnotherPath) {
       drafted.trail.deposit_on_draft(plain.at(0, y), east, 1 + y, true);
     }
     drafted.trail.adopt_draft();
-    for (std::size_t i = 0; i < plain.moves.size(); ++i) {
-      if (plain.moves[i] == 0) continue;
-      ASSERT_EQ(drafted.trail.rows()[i].strength, plain.trail.rows()[i].strength) << round << ' ' << i;
-    }
+    ASSERT_NO_FATAL_FAILURE(expect_same_strengths(drafted, plain)) << round;
   }
 }
 

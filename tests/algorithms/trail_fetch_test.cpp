@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "algorithms/aco/trail.hpp"
 #include "core/stream.hpp"

@@ -1,6 +1,8 @@
 // A trail on a small map, and walks over it.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -26,6 +28,14 @@ struct Field {
   MoveTable moves;
   Trail trail;
 };
+
+// Where ants read.
+inline void expect_same_strengths(const Field& field, const Field& expected) {
+  for (std::size_t i = 0; i < expected.moves.size(); ++i) {
+    if (expected.moves[i] == 0) continue;
+    ASSERT_EQ(field.trail.rows()[i].strength, expected.trail.rows()[i].strength) << i;
+  }
+}
 
 // A walk over the whole of an open map, of steps in random directions.
 inline std::vector<std::uint8_t> random_walk(const Field& field, std::size_t index, Stream& stream) {
