@@ -26,20 +26,6 @@ std::vector<std::uint32_t> cells_of(const Nest& nest, const Walk& walk) {
   return cells;
 }
 
-Walk walk_along(const Nest& nest, const std::vector<std::uint32_t>& cells) {
-  Walk walk;
-  walk.arrived = true;
-  for (std::size_t i = 0; i + 1 < cells.size(); ++i) {
-    const std::ptrdiff_t difference =
-        static_cast<std::ptrdiff_t>(cells[i + 1]) - static_cast<std::ptrdiff_t>(cells[i]);
-    std::uint8_t direction = 0;
-    while (nest.moves().offset(direction) != difference) ++direction;
-    walk.directions.push_back(direction);
-  }
-  walk.length = length_of(walk.directions);
-  return walk;
-}
-
 Path path_of(const Nest& nest, const Walk& walk) {
   Path path;
   path.points.reserve(walk.directions.size() + 1);

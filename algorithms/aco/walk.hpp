@@ -38,8 +38,6 @@ int turns(const Walk& walk);
 LatticeLength length_of(const std::vector<std::uint8_t>& directions);
 /// Padded indices from the start, the last cell included.
 std::vector<std::uint32_t> cells_of(const Nest& nest, const Walk& walk);
-/// An arrived walk along these cells: legal steps from the nest's start to its goal.
-Walk walk_along(const Nest& nest, const std::vector<std::uint32_t>& cells);
 Path path_of(const Nest& nest, const Walk& walk);
 
 /// Calls `visit(index, direction)` for each step of the path.

@@ -8,8 +8,10 @@
 
 #include "core/referee.hpp"
 #include "core/stream.hpp"
+#include "tests/support/crooked_path.hpp"
 #include "tests/support/maps.hpp"
 #include "tests/support/oracle.hpp"
+#include "tests/support/walks.hpp"
 
 namespace pathrace::algorithms {
 namespace {
@@ -17,13 +19,16 @@ namespace {
 using testing::grid_of;
 
 std::vector<Cell> simplified(const OccupancyGrid& grid, MoveRule rule, const std::vector<Cell>& path) {
-  std::vector<std::uint32_t> indices;
-  for (const Cell cell : path) indices.push_back(static_cast<std::uint32_t>(grid.index(cell)));
-  std::vector<Cell> cells;
-  for (const std::uint32_t index : without_corners(MoveTable(grid, rule), indices)) {
-    cells.push_back(grid.cell(index));
-  }
-  return cells;
+  const MoveTable moves(grid, rule);
+  CornerCutter cutter(moves);
+  Walk walk = testing::walk_over(path);
+  const Walk before = walk;
+  const bool cut = cutter.cut(grid.index(path[0]), walk.directions);
+  EXPECT_EQ(cut, walk.directions != before.directions);
+  std::vector<std::uint8_t> again = before.directions;
+  cutter.cut(grid.index(path[0]), again);
+  EXPECT_EQ(again, walk.directions);  // no trace of the first path was left
+  return testing::cells_over(Nest({grid, rule, path.front(), path.back()}), walk);
 }
 
 double length_of(const std::vector<Cell>& path) {
@@ -32,30 +37,6 @@ double length_of(const std::vector<Cell>& path) {
     length += std::hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
   }
   return length;
-}
-
-// A crooked legal path: a random walk over new cells that steps back when it is stuck.
-std::vector<Cell> crooked_path(const OccupancyGrid& grid, MoveRule rule, Cell start, Cell goal,
-                               Stream stream) {
-  std::vector<Cell> path{start};
-  std::set<Cell> visited{start};
-  while (!path.empty() && path.back() != goal) {
-    std::vector<Cell> fresh;
-    for (int dy = -1; dy <= 1; ++dy) {
-      for (int dx = -1; dx <= 1; ++dx) {
-        const Cell next{path.back().x + dx, path.back().y + dy};
-        if (testing::oracle_step(grid, rule, path.back(), next) && visited.count(next) == 0)
-          fresh.push_back(next);
-      }
-    }
-    if (fresh.empty()) {
-      path.pop_back();
-      continue;
-    }
-    path.push_back(fresh[stream.below(fresh.size())]);
-    visited.insert(path.back());
-  }
-  return path;
 }
 
 TEST(Simplify, ARightAngleOfStraightStepsBecomesADiagonalWhereTheRuleAllowsIt) {
@@ -106,7 +87,7 @@ TEST(Simplify, NeverLengthensNorBreaksARuleNorMovesTheEnds) {
     const testing::Question question = testing::random_question(stream, 12, 0.4);
     for (const MoveRule rule : testing::all_rules) {
       const std::vector<Cell> path =
-          crooked_path(question.grid, rule, question.start, question.goal, stream.fork(1));
+          testing::crooked_path(question.grid, rule, question.start, question.goal, stream.fork(1));
       if (path.empty()) continue;
       const std::vector<Cell> result = simplified(question.grid, rule, path);
       EXPECT_EQ(result.front(), question.start);
@@ -126,7 +107,7 @@ TEST(Simplify, LeavesNoRedundantCorner) {
     const Stream stream = Stream(137).fork(i);
     const testing::Question question = testing::random_question(stream, 12, 0.3);
     const std::vector<Cell> path =
-        crooked_path(question.grid, MoveRule::strict, question.start, question.goal, stream.fork(1));
+        testing::crooked_path(question.grid, MoveRule::strict, question.start, question.goal, stream.fork(1));
     if (path.empty()) continue;
     const std::vector<Cell> result = simplified(question.grid, MoveRule::strict, path);
     EXPECT_EQ(simplified(question.grid, MoveRule::strict, result), result);
@@ -166,7 +147,7 @@ TEST(Straightened, NeverLengthensAndSatisfiesTheRefereeOnTheAnyAngleTrack) {
     const Referee referee(testing::terrain_of(question.grid));
     for (const MoveRule rule : {MoveRule::four, MoveRule::strict, MoveRule::squeeze}) {
       const std::vector<Cell> path =
-          crooked_path(question.grid, rule, question.start, question.goal, stream.fork(1));
+          testing::crooked_path(question.grid, rule, question.start, question.goal, stream.fork(1));
       if (path.empty()) continue;
       const std::vector<Cell> result = straightened(question.grid, path);
       EXPECT_LE(length_of(result), length_of(path) + 1e-9);

@@ -9,87 +9,143 @@
 
 #include "algorithms/aco/pu/group_teaching.hpp"
 #include "core/grid.hpp"
+#include "tests/support/crooked_path.hpp"
+#include "tests/support/maps.hpp"
+#include "tests/support/walks.hpp"
 
 namespace pathrace::algorithms {
 namespace {
 
-const OccupancyGrid grid(8, 5);
+const OccupancyGrid empty(8, 5);
 
-CellPath path_of(const std::vector<Cell>& cells) {
-  CellPath path;
-  for (const Cell cell : cells) path.push_back(static_cast<std::uint32_t>(grid.index(cell)));
-  return path;
+using testing::cells_over;
+using testing::walk_over;
+using Cells = std::vector<Cell>;
+
+Nest nest_of(const Cells& cells) {
+  return Nest({empty, MoveRule::free, cells.front(), cells.back()});
 }
 
-Pupil pupil_of(const std::vector<Cell>& cells) {
-  const CellPath path = path_of(cells);
-  return {path, length_of(path, grid.stride())};
-}
-
-Splicer splicer() {
-  return {grid.padded_size(), grid.stride()};
+// What the learner's path becomes.
+Cells spliced(const Cells& learner, const Cells& teacher) {
+  const Nest nest = nest_of(learner);
+  Splicer splicer(nest);
+  Walk walk = walk_over(learner);
+  const bool improved = splicer.improve(walk, walk_over(teacher));
+  EXPECT_EQ(improved, walk != walk_over(learner));
+  EXPECT_EQ(walk.length, length_of(walk.directions));
+  EXPECT_FALSE(splicer.improve(walk, walk_over(teacher)));  // no trace of the first lesson is left
+  return cells_over(nest, walk);
 }
 
 // Straight along row 2; through row 0 and back on row 2 at (4,2); down to row 4 at the end.
-const std::vector<Cell> straight = {{0, 2}, {1, 2}, {2, 2}, {3, 2}, {4, 2}, {5, 2}, {6, 2}};
-const std::vector<Cell> early_detour = {{0, 2}, {0, 1}, {0, 0}, {1, 0}, {2, 0}, {3, 0},
-                                        {4, 0}, {4, 1}, {4, 2}, {5, 2}, {6, 2}};
-const std::vector<Cell> late_detour = {{0, 2}, {1, 2}, {2, 2}, {3, 2}, {4, 2}, {4, 3},
-                                       {4, 4}, {5, 4}, {6, 4}, {6, 3}, {6, 2}};
-
-TEST(Splice, LengthCountsStraightAndDiagonalSteps) {
-  EXPECT_EQ(length_of(path_of({{0, 0}, {1, 0}, {2, 1}, {2, 2}, {1, 3}}), grid.stride()),
-            (LatticeLength{2, 2}));
-  EXPECT_EQ(length_of(path_of({{3, 3}}), grid.stride()), (LatticeLength{0, 0}));
-}
+const Cells straight = {{0, 2}, {1, 2}, {2, 2}, {3, 2}, {4, 2}, {5, 2}, {6, 2}};
+const Cells early_detour = {{0, 2}, {0, 1}, {0, 0}, {1, 0}, {2, 0}, {3, 0},
+                            {4, 0}, {4, 1}, {4, 2}, {5, 2}, {6, 2}};
+const Cells late_detour = {{0, 2}, {1, 2}, {2, 2}, {3, 2}, {4, 2}, {4, 3},
+                           {4, 4}, {5, 4}, {6, 4}, {6, 3}, {6, 2}};
 
 TEST(Splice, TakesTheTeachersRestFromTheBestSharedCell) {
   // Learner until (4,2), 4 steps, then the teacher's 2.
-  EXPECT_EQ(splicer().splice(path_of(late_detour), path_of(early_detour)), path_of(straight));
+  EXPECT_EQ(spliced(late_detour, early_detour), straight);
 }
 
 TEST(Splice, LeavesTheLearnerAloneWhenNoJointIsShorter) {
-  EXPECT_EQ(splicer().splice(path_of(straight), path_of(early_detour)), path_of(straight));
-  EXPECT_EQ(splicer().splice(path_of(early_detour), path_of(early_detour)), path_of(early_detour));
+  EXPECT_EQ(spliced(straight, early_detour), straight);
+  EXPECT_EQ(spliced(early_detour, early_detour), early_detour);
 }
 
 TEST(Splice, AmongEquallyShortJointsTakesTheOneNearestToTheStart) {
-  const CellPath learner = path_of({{0, 2}, {1, 1}, {2, 2}, {3, 2}, {3, 3}, {4, 3}, {5, 3}, {5, 2}});
-  const CellPath teacher = path_of({{0, 2}, {1, 3}, {2, 2}, {3, 2}, {4, 2}, {5, 2}});
-  EXPECT_EQ(splicer().splice(learner, teacher), teacher);
+  const Cells teacher = {{0, 2}, {1, 3}, {2, 2}, {3, 2}, {4, 2}, {5, 2}};
+  EXPECT_EQ(spliced({{0, 2}, {1, 1}, {2, 2}, {3, 2}, {3, 3}, {4, 3}, {5, 3}, {5, 2}}, teacher), teacher);
 }
 
 TEST(Splice, VisitsNoCellTwiceThoughThePathsCrossInOppositeOrder) {
-  const CellPath learner = path_of(
-      {{0, 0}, {1, 0}, {2, 1}, {2, 2}, {2, 3}, {3, 4}, {4, 4}, {5, 3}, {5, 2}, {5, 1}, {4, 0}, {3, 0}});
-  const CellPath teacher = path_of({{0, 0}, {0, 1}, {1, 2}, {2, 2}, {1, 1}, {1, 0}, {2, 0}, {3, 0}});
-  EXPECT_EQ(splicer().splice(learner, teacher), path_of({{0, 0}, {1, 0}, {2, 0}, {3, 0}}));
+  const Cells learner = {{0, 0}, {1, 0}, {2, 1}, {2, 2}, {2, 3}, {3, 4},
+                         {4, 4}, {5, 3}, {5, 2}, {5, 1}, {4, 0}, {3, 0}};
+  const Cells teacher = {{0, 0}, {0, 1}, {1, 2}, {2, 2}, {1, 1}, {1, 0}, {2, 0}, {3, 0}};
+  EXPECT_EQ(spliced(learner, teacher), (Cells{{0, 0}, {1, 0}, {2, 0}, {3, 0}}));
+}
+
+// Against a search through all joints.
+TEST(Splice, FindsTheFirstOfTheShortestJointsOfRandomWalks) {
+  int improved = 0;
+  for (std::uint64_t i = 0; i < 300; ++i) {
+    const Stream stream = Stream(401).fork(i);
+    const testing::Question question = testing::random_question(stream, 12, 0.2);
+    const Nest nest({question.grid, MoveRule::strict, question.start, question.goal});
+    const auto crooked = [&](std::uint64_t k) {
+      return testing::crooked_path(question.grid, MoveRule::strict, question.start, question.goal,
+                                   stream.fork(k));
+    };
+    const Cells old = crooked(1);
+    const Cells other = crooked(2);
+    if (old.empty()) continue;
+    Walk learner = walk_over(old);
+    Cells best = old;
+    LatticeLength shortest = learner.length;
+    for (std::size_t at = 0; at < old.size(); ++at) {
+      const auto there = std::ranges::find(other, old[at]);
+      if (there == other.end()) continue;
+      Cells tried(old.begin(), old.begin() + static_cast<std::ptrdiff_t>(at));
+      tried.insert(tried.end(), there, other.end());
+      LatticeLength length;
+      for (std::size_t k = 1; k < tried.size(); ++k) {
+        const bool slanted = tried[k].x != tried[k - 1].x && tried[k].y != tried[k - 1].y;
+        length = length + (slanted ? LatticeLength{0, 1} : LatticeLength{1, 0});
+      }
+      if (length >= shortest) continue;
+      shortest = length;
+      best = tried;
+    }
+    Splicer splicer(nest);
+    improved += splicer.improve(learner, walk_over(other)) ? 1 : 0;
+    EXPECT_EQ(cells_over(nest, learner), best) << i;
+    EXPECT_EQ(learner.length, shortest) << i;
+  }
+  EXPECT_GT(improved, 50);
+}
+
+struct Class {
+  explicit Class(const std::vector<Cells>& paths) {
+    for (const Cells& path : paths) walks.push_back(walk_over(path));
+    for (Walk& walk : walks) pupils.push_back(&walk);
+  }
+
+  void learn(bool grouping, std::uint64_t seed, const ChargeLesson& charge) {
+    const Nest nest = nest_of(straight);
+    Splicer splicer(nest);
+    teach_paths(pupils, grouping, splicer, Stream(seed), charge);
+  }
+
+  std::vector<Walk> walks;
+  std::vector<Walk*> pupils;
+};
+
+bool free_of_charge(std::size_t /*cells*/) {
+  return true;
 }
 
 TEST(TeachPaths, InAClassOfTwoEachLearnsFromTheOther) {
-  std::vector<Pupil> pupils = {pupil_of(early_detour), pupil_of(late_detour)};
-  Splicer shared = splicer();
-  teach_paths(pupils, true, shared, grid.stride(), Stream(1), [](std::size_t) { return true; });
-  EXPECT_EQ(pupils[0].path, path_of(straight));
-  EXPECT_EQ(pupils[1].path, path_of(straight));
+  Class two({early_detour, late_detour});
+  two.learn(true, 1, free_of_charge);
+  EXPECT_EQ(two.walks[0], walk_over(straight));
+  EXPECT_EQ(two.walks[1], walk_over(straight));
 }
 
 TEST(TeachPaths, ThePupilsNeverGetWorseAndTheClassLearns) {
-  std::vector<Pupil> pupils = {pupil_of(early_detour), pupil_of(late_detour), pupil_of(straight)};
-  const Pupil best = pupils[2];
-  Splicer shared = splicer();
-  teach_paths(pupils, true, shared, grid.stride(), Stream(1), [](std::size_t) { return true; });
-  EXPECT_EQ(pupils[2].path, best.path);
+  Class three({early_detour, late_detour, straight});
+  three.learn(true, 1, free_of_charge);
+  EXPECT_EQ(three.walks[2], walk_over(straight));
   // The worst of the ranking learns from the straight path: its detour shares start and goal at least.
-  EXPECT_EQ(pupils[1].path, best.path);
+  EXPECT_EQ(three.walks[1], walk_over(straight));
 }
 
 TEST(TeachPaths, GivesAsManyLessonsAsThereAreLearnersAndStopsWhenNobodyPays) {
   const auto lessons = [](std::size_t pupils, bool grouping, std::size_t budget) {
-    std::vector<Pupil> group(pupils, pupil_of(early_detour));
+    Class alike(std::vector<Cells>(pupils, early_detour));
     std::size_t paid = 0;
-    Splicer shared = splicer();
-    teach_paths(group, grouping, shared, grid.stride(), Stream(2), [&](std::size_t cells) {
+    alike.learn(grouping, 2, [&](std::size_t cells) {
       EXPECT_EQ(cells, 2 * early_detour.size());
       if (paid == budget) return false;
       ++paid;
@@ -105,8 +161,9 @@ TEST(TeachPaths, GivesAsManyLessonsAsThereAreLearnersAndStopsWhenNobodyPays) {
 }
 
 TEST(TeachPaths, RanksByLengthAndThenByIndex) {
-  EXPECT_EQ(ranked({pupil_of(early_detour), pupil_of(straight), pupil_of(late_detour), pupil_of(straight)}),
-            (std::vector<std::size_t>{1, 3, 0, 2}));
+  const Class four({early_detour, straight, late_detour, straight});
+  const std::vector<Walk*>& p = four.pupils;
+  EXPECT_EQ(ranked(p), (std::vector<Walk*>{p[1], p[3], p[0], p[2]}));
 }
 
 constexpr Bounds bounds{{0.5, 1, 0.05, 0.1}, {3, 9, 0.6, 100}};

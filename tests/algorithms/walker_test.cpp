@@ -7,6 +7,7 @@
 
 #include "tests/support/maps.hpp"
 #include "tests/support/oracle.hpp"
+#include "tests/support/walks.hpp"
 
 namespace pathrace::algorithms {
 namespace {
@@ -200,17 +201,13 @@ TEST(Nest, AClosedCellIsNoObstacleForTheCornerRule) {
   EXPECT_FALSE(nest.closed(nest.goal()));
 }
 
-TEST(Walk, AlongCellsHasTheirDirectionsAndTurns) {
+TEST(Walk, HasCellsALengthAndTurns) {
   const Field field(grid_of({"....", "...."}), MoveRule::strict, {0, 0}, {3, 1});
-  std::vector<std::uint32_t> cells;
-  for (const Cell cell : {Cell{0, 0}, Cell{1, 0}, Cell{2, 1}, Cell{3, 1}}) {
-    cells.push_back(static_cast<std::uint32_t>(field.grid.index(cell)));
-  }
-  const Walk walk = walk_along(field.nest, cells);
-  EXPECT_EQ(walk.directions, (std::vector<std::uint8_t>{0, 1, 0}));
-  EXPECT_EQ(walk.length, (LatticeLength{2, 1}));
+  Walk walk;
+  walk.directions = {0, 1, 0};
+  EXPECT_EQ(length_of(walk.directions), (LatticeLength{2, 1}));
   EXPECT_EQ(turns(walk), 2);
-  EXPECT_EQ(cells_of(field.nest, walk), cells);
+  EXPECT_EQ(testing::cells_over(field.nest, walk), (std::vector<Cell>{{0, 0}, {1, 0}, {2, 1}, {3, 1}}));
 }
 
 }  // namespace

@@ -28,6 +28,7 @@
 #include "algorithms/aco/dead_ends.hpp"
 #include "algorithms/aco/pu/parameter_school.hpp"
 #include "algorithms/aco/pu/simplify.hpp"
+#include "algorithms/aco/pu/teaching.hpp"
 #include "core/error.hpp"
 
 namespace pathrace::algorithms {
@@ -66,8 +67,7 @@ class Pu2022 : public PheromoneRule {
   Pu2022(const S& settings, const Problem& problem, const Stream& stream)
       : PheromoneRule(settings),
         settings_(settings),
-        dead_ends_(problem, settings.dead_table, DeadCells::Layer::obstacle),
-        splicer_(problem.grid.padded_size(), problem.grid.stride()) {
+        dead_ends_(problem, settings.dead_table, DeadCells::Layer::obstacle) {
     if (settings.teaching == Teaching::parameters) school_.emplace(settings, stream);
   }
 
@@ -76,11 +76,13 @@ class Pu2022 : public PheromoneRule {
 
   void begin(Colony& colony) override {
     PheromoneRule::begin(colony);
+    cutter_.emplace(colony.nest().moves());
+    splicer_.emplace(colony.nest());
     if (school_) school_->begin(colony);
   }
 
   void revise(Colony& colony, Context& context, std::size_t count) override {
-    for (std::size_t k = 0; k < count; ++k) cut_corners(colony, k, context.meter);
+    for (std::size_t k = 0; k < count; ++k) cut_corners(colony.nest(), colony.walks()[k], context.meter);
     if (settings_.teaching == Teaching::paths) teach(colony, context, count);
     ++iteration_;
   }
@@ -102,44 +104,37 @@ class Pu2022 : public PheromoneRule {
   }
 
  private:
-  void cut_corners(Colony& colony, std::size_t ant, Meter& meter) const {
-    Walk& walk = colony.walks()[ant];
+  void cut_corners(const Nest& nest, Walk& walk, Meter& meter) {
     const std::size_t cells = walk.directions.size() + 1;
     if (!settings_.simplify || !walk.arrived || meter.checks_left() < cells) return;
     meter.spend_checks(cells);
-    take_path(colony.nest(), walk, without_corners(colony.nest().moves(), cells_of(colony.nest(), walk)));
-  }
-
-  // Another path for an ant; what its walk has cost stays.
-  static void take_path(const Nest& nest, Walk& walk, const CellPath& cells) {
-    const Walk path = walk_along(nest, cells);
-    walk.directions = path.directions;
-    walk.length = path.length;
+    if (cutter_->cut(nest.start(), walk.directions)) walk.length = length_of(walk.directions);
   }
 
   void teach(Colony& colony, Context& context, std::size_t count) {
-    const Nest& nest = colony.nest();
-    std::vector<Pupil> pupils;
-    std::vector<std::size_t> ants;
+    std::vector<Walk*> pupils;
+    std::vector<LatticeLength> before;
     for (std::size_t k = 0; k < count; ++k) {
-      if (!colony.walks()[k].arrived) continue;
-      pupils.push_back({cells_of(nest, colony.walks()[k]), colony.walks()[k].length});
-      ants.push_back(k);
+      Walk& walk = colony.walks()[k];
+      if (!walk.arrived) continue;
+      pupils.push_back(&walk);
+      before.push_back(walk.length);
     }
     Meter& meter = context.meter;
-    const auto charge = [&meter](std::size_t cells) {
+    std::uint64_t lessons = 0;
+    const auto charge = [&](std::size_t cells) {
       if (meter.admitted(1) == 0 || meter.checks_left() < cells) return false;
       meter.spend_evaluations(1);
       meter.spend_checks(cells);
-      meter.count("lessons", 1);
+      ++lessons;
       return true;
     };
     const Stream stream = context.stream.fork(iteration_).fork("teaching");
-    teach_paths(pupils, settings_.grouping, splicer_, nest.stride(), stream, charge);
+    teach_paths(pupils, settings_.grouping, *splicer_, stream, charge);
+    if (lessons > 0) meter.count("lessons", lessons);
     for (std::size_t i = 0; i < pupils.size(); ++i) {
-      if (!(pupils[i].length < colony.walks()[ants[i]].length)) continue;
-      take_path(nest, colony.walks()[ants[i]], pupils[i].path);
-      cut_corners(colony, ants[i], meter);  // the joint may have one
+      if (pupils[i]->length != before[i])
+        cut_corners(colony.nest(), *pupils[i], meter);  // the joint may be one
     }
   }
 
@@ -164,7 +159,8 @@ class Pu2022 : public PheromoneRule {
 
   const S& settings_;
   DeadEnds dead_ends_;
-  Splicer splicer_;
+  std::optional<CornerCutter> cutter_;
+  std::optional<Splicer> splicer_;
   std::optional<ParameterSchool> school_;
   std::uint64_t iteration_ = 0;
   double c_ = 0;

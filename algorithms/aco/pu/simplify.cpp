@@ -1,79 +1,58 @@
 #include "algorithms/aco/pu/simplify.hpp"
 
-#include <algorithm>
-#include <cstddef>
+#include <array>
 #include <cstdlib>
-#include <optional>
 
 namespace pathrace::algorithms {
 namespace {
 
-// The direction of the step between two padded indices; -1 when they are not neighbours.
-int direction_of(const MoveTable& moves, std::uint32_t from, std::uint32_t to) {
-  const std::ptrdiff_t difference = static_cast<std::ptrdiff_t>(to) - static_cast<std::ptrdiff_t>(from);
-  for (int d = 0; d < direction_count; ++d) {
-    if (moves.offset(d) == difference) return d;
-  }
-  return -1;
-}
+constexpr int none = -1;
 
-bool legal(const MoveTable& moves, std::uint32_t from, std::uint32_t to) {
-  const int d = direction_of(moves, from, to);
-  return d >= 0 && (moves[from] >> d & 1) != 0;
-}
-
-// The cell inside a corner of two diagonal steps, when it can be passed straight.
-std::optional<std::uint32_t> inside(const MoveTable& moves, std::uint32_t a, std::uint32_t b,
-                                    std::uint32_t c) {
-  const int first = direction_of(moves, a, b);
-  const int second = direction_of(moves, b, c);
-  if (!is_diagonal(first) || !is_diagonal(second)) return std::nullopt;
-  const int turn = (second - first + direction_count) & 7;
-  if (turn != 2 && turn != 6) return std::nullopt;
-  const int middle = (turn == 2 ? first + 1 : first - 1) & 7;
-  const auto cell = static_cast<std::uint32_t>(moves.step(a, middle));
-  if (legal(moves, a, cell) && legal(moves, cell, c)) return cell;
-  return std::nullopt;
-}
-
-// A path being rebuilt from its start; the cell that arrives next may shorten what is there.
-class Rebuilt {
- public:
-  explicit Rebuilt(const MoveTable& moves) : moves_(moves), place_(moves.size(), 0) {}
-
-  void append(std::uint32_t cell) {
-    if (place_[cell] != 0) return cut_back_to(place_[cell]);
-    while (path_.size() >= 2) {
-      const std::uint32_t before = path_[path_.size() - 2];
-      if (legal(moves_, before, cell)) {
-        drop();
-        continue;
-      }
-      const std::optional<std::uint32_t> middle = inside(moves_, before, path_.back(), cell);
-      if (!middle) break;
-      drop();
-      append(*middle);
-      return append(cell);
-    }
-    path_.push_back(cell);
-    place_[cell] = path_.size();
-  }
-
-  std::vector<std::uint32_t> take() { return std::move(path_); }
-
- private:
-  void drop() {
-    place_[path_.back()] = 0;
-    path_.pop_back();
-  }
-  void cut_back_to(std::size_t size) {
-    while (path_.size() > size) drop();
-  }
-
-  const MoveTable& moves_;
-  std::vector<std::size_t> place_;  // position on the path from 1
-  std::vector<std::uint32_t> path_;
+// Of two steps in a row: the one step that leads to the same cell, and the direction that leads there in two
+// steps straight on, if there is such a one.
+struct Corner {
+  int joined = none;
+  int straight = none;
 };
+
+constexpr int direction_of(Cell displacement) {
+  for (int d = 0; d < direction_count; ++d) {
+    if (directions[static_cast<std::size_t>(d)] == displacement) return d;
+  }
+  return none;
+}
+
+constexpr Corner corner_of(int first, int second) {
+  const Cell a = directions[static_cast<std::size_t>(first)];
+  const Cell b = directions[static_cast<std::size_t>(second)];
+  const Cell sum{a.x + b.x, a.y + b.y};
+  const bool halves = sum.x % 2 == 0 && sum.y % 2 == 0 && first != second;
+  return {direction_of(sum), halves ? direction_of({sum.x / 2, sum.y / 2}) : none};
+}
+
+using CornerTable = std::array<std::array<Corner, direction_count>, direction_count>;
+
+constexpr CornerTable corner_table = [] {
+  CornerTable table{};
+  for (int first = 0; first < direction_count; ++first) {
+    for (int second = 0; second < direction_count; ++second) {
+      table[static_cast<std::size_t>(first)][static_cast<std::size_t>(second)] = corner_of(first, second);
+    }
+  }
+  return table;
+}();
+
+const Corner& corner(std::uint8_t first, std::uint8_t second) {
+  return corner_table[first][second];
+}
+
+bool legal(const MoveTable& moves, std::size_t from, int direction) {
+  return direction != none && (moves[from] >> direction & 1) != 0;
+}
+
+bool legal_twice(const MoveTable& moves, std::size_t from, int direction) {
+  return legal(moves, from, direction) && legal(moves, moves.step(from, direction), direction);
+}
 
 bool turns(Cell a, Cell b, Cell c) {
   const std::int64_t cross = std::int64_t{b.x - a.x} * (c.y - b.y) - std::int64_t{b.y - a.y} * (c.x - b.x);
@@ -83,10 +62,61 @@ bool turns(Cell a, Cell b, Cell c) {
 
 }  // namespace
 
-std::vector<std::uint32_t> without_corners(const MoveTable& moves, const std::vector<std::uint32_t>& path) {
-  Rebuilt rebuilt(moves);
-  for (const std::uint32_t cell : path) rebuilt.append(cell);
-  return rebuilt.take();
+bool CornerCutter::cut(std::size_t start, std::vector<std::uint8_t>& directions) {
+  if (!has_corner(start, directions)) return false;
+  path_.clear();
+  push({static_cast<std::uint32_t>(start), 0});
+  std::size_t cell = start;
+  for (const std::uint8_t direction : directions) {
+    cell = moves_.step(cell, direction);
+    append({static_cast<std::uint32_t>(cell), direction});
+  }
+  directions.clear();
+  for (const Arrival& arrival : path_) {
+    if (place_[arrival.cell] > 1) directions.push_back(arrival.direction);
+    place_[arrival.cell] = 0;
+  }
+  return true;
+}
+
+bool CornerCutter::has_corner(std::size_t start, const std::vector<std::uint8_t>& directions) const {
+  std::size_t before = start;
+  for (std::size_t k = 1; k < directions.size(); ++k) {
+    const Corner& here = corner(directions[k - 1], directions[k]);
+    if (legal(moves_, before, here.joined) || legal_twice(moves_, before, here.straight)) return true;
+    before = moves_.step(before, directions[k - 1]);
+  }
+  return false;
+}
+
+// The next cell, a step from path_.back(); it may shorten what is there.
+void CornerCutter::append(Arrival next) {
+  while (place_[next.cell] == 0) {
+    if (path_.size() < 2) return push(next);
+    const std::size_t before = path_[path_.size() - 2].cell;
+    const Corner& here = corner(path_.back().direction, next.direction);
+    if (legal(moves_, before, here.joined)) {
+      drop();
+      next.direction = static_cast<std::uint8_t>(here.joined);
+    } else if (legal_twice(moves_, before, here.straight)) {
+      drop();
+      next.direction = static_cast<std::uint8_t>(here.straight);
+      append({static_cast<std::uint32_t>(moves_.step(before, here.straight)), next.direction});
+    } else {
+      return push(next);
+    }
+  }
+  while (path_.size() > place_[next.cell]) drop();
+}
+
+void CornerCutter::push(Arrival next) {
+  path_.push_back(next);
+  place_[next.cell] = static_cast<std::uint32_t>(path_.size());
+}
+
+void CornerCutter::drop() {
+  place_[path_.back().cell] = 0;
+  path_.pop_back();
 }
 
 // Walks through the cells under the segment. After i columns and j rows the next column's border lies at

@@ -14,6 +14,7 @@
 // Pu Xingcheng et al., 1.2.4.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -21,9 +22,32 @@
 
 namespace pathrace::algorithms {
 
-/// The path without redundant corners, each step legal in `moves`; never longer, same ends. Loops that a
-/// replacement closes are cut. Expects a path of legal steps in padded indices.
-std::vector<std::uint32_t> without_corners(const MoveTable& moves, const std::vector<std::uint32_t>& path);
+/// Cuts redundant corners off lattice paths. Holds scratch memory for one map: not for two threads at once.
+class CornerCutter {
+ public:
+  /// `moves` outlives this.
+  explicit CornerCutter(const MoveTable& moves) : moves_(moves), place_(moves.size(), 0) {}
+
+  /// `directions` lead from the padded index `start` by legal steps and to no cell twice. Afterwards they are
+  /// those of the path without redundant corners: never longer, same ends, legal. Loops that a replacement
+  /// closes are cut. False when there was no corner.
+  bool cut(std::size_t start, std::vector<std::uint8_t>& directions);
+
+ private:
+  struct Arrival {
+    std::uint32_t cell;
+    std::uint8_t direction;  // of the step that led there; the first of a path has none
+  };
+
+  bool has_corner(std::size_t start, const std::vector<std::uint8_t>& directions) const;
+  void append(Arrival next);
+  void push(Arrival next);
+  void drop();
+
+  const MoveTable& moves_;
+  std::vector<std::uint32_t> place_;  // position on the path from 1; all 0 between calls
+  std::vector<Arrival> path_;         // being rebuilt
+};
 
 /// May a robot go straight between the centres of two free cells? It may touch a blocked cell's edge or
 /// corner, but not enter it, nor pass between two blocked cells that touch at a corner. Exact, O(cells

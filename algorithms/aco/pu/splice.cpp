@@ -1,51 +1,61 @@
 #include "algorithms/aco/pu/splice.hpp"
 
-#include <cstddef>
+#include <algorithm>
 
 namespace pathrace::algorithms {
 namespace {
 
-LatticeLength step_length(std::uint32_t from, std::uint32_t to, std::size_t stride) {
-  const std::size_t difference = from < to ? to - from : from - to;
-  return difference == 1 || difference == stride ? LatticeLength{1, 0} : LatticeLength{0, 1};
-}
-
-// Length of the way from each cell of the path to its end.
-std::vector<LatticeLength> lengths_to_go(const CellPath& path, std::size_t stride) {
-  std::vector<LatticeLength> lengths(path.size());
-  for (std::size_t i = path.size() - 1; i > 0; --i) {
-    lengths[i - 1] = lengths[i] + step_length(path[i - 1], path[i], stride);
+// Calls `visit(index, steps, diagonals)` for each cell of the path: the steps before it, and how many of them
+// were diagonal.
+template <typename Visit>
+void for_each_cell(const Nest& nest, const Walk& walk, const Visit& visit) {
+  std::size_t index = nest.start();
+  std::uint32_t steps = 0;
+  std::uint32_t diagonals = 0;
+  visit(index, steps, diagonals);
+  for (const std::uint8_t direction : walk.directions) {
+    index = nest.moves().step(index, direction);
+    diagonals += direction & 1U;
+    visit(index, ++steps, diagonals);
   }
-  return lengths;
 }
 
 }  // namespace
 
-LatticeLength length_of(const CellPath& path, std::size_t stride) {
-  LatticeLength length;
-  for (std::size_t i = 0; i + 1 < path.size(); ++i)
-    length = length + step_length(path[i], path[i + 1], stride);
-  return length;
+bool Splicer::improve(Walk& learner, const Walk& teacher) {
+  if (learner.directions == teacher.directions) return false;  // the rule in a colony that has converged
+  for_each_cell(nest_, teacher, [&](std::size_t index, std::uint32_t steps, std::uint32_t diagonals) {
+    visits_[index] = {steps + 1, diagonals};
+  });
+  const bool shorter = find_joint(learner, teacher);
+  for_each_cell(nest_, teacher,
+                [&](std::size_t index, std::uint32_t, std::uint32_t) { visits_[index] = {}; });
+  if (!shorter) return false;
+  learner.directions.resize(joint_.on_learner);
+  learner.directions.insert(learner.directions.end(),
+                            teacher.directions.begin() + static_cast<std::ptrdiff_t>(joint_.on_teacher),
+                            teacher.directions.end());
+  learner.length = shortest_;
+  return true;
 }
 
-CellPath Splicer::splice(const CellPath& learner, const CellPath& teacher) {
-  const std::vector<LatticeLength> to_go = lengths_to_go(teacher, stride_);
-  for (std::size_t i = 0; i < teacher.size(); ++i) place_[teacher[i]] = static_cast<std::uint32_t>(i + 1);
-  LatticeLength gone;
-  LatticeLength shortest = length_of(learner, stride_);
-  std::size_t joint = learner.size() - 1;
-  for (std::size_t i = 0; i < learner.size(); ++i) {
-    if (i > 0) gone = gone + step_length(learner[i - 1], learner[i], stride_);
-    const std::uint32_t there = place_[learner[i]];
-    if (there == 0 || gone + to_go[there - 1] >= shortest) continue;
-    shortest = gone + to_go[there - 1];
-    joint = i;
-  }
-  const std::uint32_t there = place_[learner[joint]];
-  for (const std::uint32_t cell : teacher) place_[cell] = 0;
-  CellPath result(learner.begin(), learner.begin() + static_cast<std::ptrdiff_t>(joint) + 1);
-  result.insert(result.end(), teacher.begin() + there, teacher.end());
-  return result;
+// True when there is a joint that makes the learner shorter; `joint_` is the first of the best.
+bool Splicer::find_joint(const Walk& learner, const Walk& teacher) {
+  shortest_ = learner.length;
+  bool found = false;
+  for_each_cell(nest_, learner, [&](std::size_t index, std::uint32_t steps, std::uint32_t diagonals) {
+    const Visit& there = visits_[index];
+    if (there.place == 0) return;
+    const std::int64_t diagonal = teacher.length.diagonal - there.diagonals + diagonals;
+    const std::uint32_t behind = there.place - 1;
+    const auto all = static_cast<std::int64_t>(steps + teacher.directions.size() - behind);
+    const LatticeLength length{all - diagonal, diagonal};
+    if (length >= shortest_) return;
+    shortest_ = length;
+    joint_ = {steps, behind};
+    found = true;
+  });
+  return found;
 }
 
 }  // namespace pathrace::algorithms

@@ -7,31 +7,41 @@
 // Our reading of the paper's teaching for paths, algorithms.md 3.5 (B).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "core/lattice_length.hpp"
+#include "algorithms/aco/walk.hpp"
 
 namespace pathrace::algorithms {
-
-/// Padded indices of a lattice path's cells, from start to goal.
-using CellPath = std::vector<std::uint32_t>;
-
-/// Steps of one row or column are straight. `stride` is the grid's.
-LatticeLength length_of(const CellPath& path, std::size_t stride);
 
 /// Scratch memory for one map; not shared between threads.
 class Splicer {
  public:
-  Splicer(std::size_t padded_size, std::size_t stride) : place_(padded_size, 0), stride_(stride) {}
+  /// For walks on this nest, which outlives the splicer.
+  explicit Splicer(const Nest& nest) : nest_(nest), visits_(nest.size()) {}
 
-  /// Both paths run from the same start to the same goal, so the goal is always shared; each visits no cell
-  /// twice. Returns the learner itself when no joint is shorter.
-  CellPath splice(const CellPath& learner, const CellPath& teacher);
+  /// Both walks have arrived and visit no cell twice. True when the learner has another path now, a shorter
+  /// one; else it is as it was.
+  bool improve(Walk& learner, const Walk& teacher);
 
  private:
-  std::vector<std::uint32_t> place_;  // position on a path from 1; all 0 between calls
-  std::size_t stride_;
+  /// When a walk comes to a cell.
+  struct Visit {
+    std::uint32_t place = 0;      ///< from 1; 0: never
+    std::uint32_t diagonals = 0;  ///< steps of this kind before
+  };
+  struct Joint {
+    std::size_t on_learner = 0;  ///< steps before it
+    std::size_t on_teacher = 0;
+  };
+
+  bool find_joint(const Walk& learner, const Walk& teacher);
+
+  const Nest& nest_;
+  std::vector<Visit> visits_;  // of the teacher; none between calls
+  Joint joint_;
+  LatticeLength shortest_;
 };
 
 }  // namespace pathrace::algorithms

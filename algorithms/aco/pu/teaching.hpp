@@ -16,6 +16,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -28,26 +29,19 @@ namespace pathrace::algorithms {
 
 enum class Teaching { none, parameters, paths };
 
-/// One student: a path and its length.
-struct Pupil {
-  CellPath path;
-  LatticeLength length;
-};
-
 /// Pays for one candidate path over so many cells before it is built; false when the budget is spent, which
 /// ends the teaching.
 using ChargeLesson = std::function<bool(std::size_t cells)>;
 
-/// Indices of the pupils from the shortest path to the longest, ties by index.
-std::vector<std::size_t> ranked(const std::vector<Pupil>& pupils);
+/// The pupils, walks that have arrived, from the shortest path to the longest; those of equal length stay in
+/// their order.
+std::vector<Walk*> ranked(std::span<Walk* const> pupils);
 
-/// Replaces the learner's path when the splice is shorter.
-void learn(Pupil& learner, const Pupil& teacher, Splicer& splicer, std::size_t stride);
-
-/// Both phases. Lessons are given in rank order, each seeing the results of those before. The k-th of the
-/// ranking draws its peer from stream.fork(k). `charge(cells)` is asked before each lesson.
-void teach_paths(std::vector<Pupil>& pupils, bool grouping, Splicer& splicer, std::size_t stride,
-                 const Stream& stream, const ChargeLesson& charge);
+/// Both phases. Lessons are given in rank order, each seeing the results of those before; walks that learn
+/// have another path afterwards. The k-th of the ranking draws its peer from stream.fork(k).
+/// `charge(cells)` is asked before each lesson.
+void teach_paths(std::span<Walk* const> pupils, bool grouping, Splicer& splicer, const Stream& stream,
+                 const ChargeLesson& charge);
 
 }  // namespace pathrace::algorithms
 
