@@ -41,24 +41,22 @@ class AntColonySystem final : public PheromoneRule {
     initial_ = colony.trail().pheromone(colony.nest().start(), 0);
   }
 
+  // Every ant wears off the trail that it walked on.
+  Imprint imprint() const override {
+    return {.persistence = 1, .factor = 1 - settings_.xi, .of_the_dead = true, .on_popped = true};
+  }
+  double amount(const Walk& /*walk*/) const override { return settings_.xi * initial_; }
+  Early deposits_early() const override { return settings_.xi > 0 ? Early::yes : Early::no; }
+
   void learn(Colony& colony, const Harvest& harvest) override {
-    for (std::size_t k = 0; k < harvest.count; ++k) wear_off(colony, colony.walks()[k]);
-    if (!colony.best().arrived) return;
+    if (settings_.xi > 0) colony.imprint(harvest.count);
+    const Walk& best = colony.best();
+    if (!best.arrived) return;
     const double rho = settings_.evaporation;
-    colony.change(colony.best(), 1 - rho, rho * amount(colony.best()));
+    colony.change(best, 1 - rho, rho * (settings_.deposit / best.length.value()));
   }
 
  private:
-  void wear_off(Colony& colony, const Walk& walk) const {
-    if (settings_.xi == 0) return;
-    const double kept = 1 - settings_.xi;
-    const double gain = settings_.xi * initial_;
-    colony.change(walk, kept, gain);
-    for (const Step step : walk.popped) {
-      colony.trail().change(step.index, step.direction, kept, gain, settings_.both_ways);
-    }
-  }
-
   const AntColonySystemSettings& settings_;
   double initial_ = 0;
 };

@@ -23,9 +23,9 @@ class AntSystem final : public PheromoneRule {
   /// m / C_nn (Dorigo, Stuetzle, "Ant Colony Optimization", 2004).
   double initial_pheromone(const Scout& scout) const override { return settings().ants / scout.length; }
 
-  bool deposits_early() const override { return true; }
+  Early deposits_early() const override { return Early::yes; }
 
-  void learn(Colony& colony, const Harvest& harvest) override { colony.evaporate_and_deposit(harvest.count); }
+  void learn(Colony& colony, const Harvest& harvest) override { colony.imprint(harvest.count); }
 };
 
 }  // namespace

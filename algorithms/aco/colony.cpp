@@ -57,7 +57,8 @@ Ground Colony::ground_on(const Trail& trail) const {
           rule_.q0(),
           max_steps(settings_, nest_),
           rule_.keeps_the_dead(),
-          rule_.keeps_popped()};
+          rule_.keeps_popped(),
+          rule_.counts_turns()};
 }
 
 Answer Colony::run(Context& context) {
@@ -112,9 +113,8 @@ void Colony::make_walkers(const Executor& executor) {
     walkers_.emplace_back(groups_.empty() ? *ground_ : *groups_[k]->ground, lanes);
   }
   deposits_.reset();
-  if (groups_.empty() && count > 1 && rule_.deposits_early() && nest_.size() <= cells_worth_a_draft) {
-    deposits_.emplace(rule_, nest_, *trail_, walks_);
-  }
+  const bool may_be_early = rule_.deposits_early() != Early::no && nest_.size() <= cells_worth_a_draft;
+  if (groups_.empty() && count > 1 && may_be_early) deposits_.emplace(rule_, nest_, *trail_, walks_);
 }
 
 void Colony::regroup(const std::vector<Taste>& tastes) {
@@ -212,10 +212,21 @@ void Colony::deposit(const Walk& walk, double amount) {
   change(walk, 1, amount);
 }
 
-void Colony::evaporate_and_deposit(std::size_t count) {
+void Colony::imprint(std::size_t count) {
   if (deposits_ && deposits_->finish(count)) return;
-  trail_->evaporate(1 - settings_.evaporation);
-  deposit_all(count);
+  const Imprint imprint = rule_.imprint();
+  if (imprint.persistence != 1) trail_->evaporate(imprint.persistence);
+  if (imprint.factor == 1 && !imprint.of_the_dead && !imprint.on_popped) return deposit_all(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Walk& walk = walks_[k];
+    if (!walk.arrived && !imprint.of_the_dead) continue;
+    const double amount = rule_.amount(walk);
+    change(walk, imprint.factor, amount);
+    if (!imprint.on_popped) continue;
+    for (const Step step : walk.popped) {
+      trail_->change(step.index, step.direction, imprint.factor, amount, settings_.both_ways);
+    }
+  }
 }
 
 // Few steps are not worth a loop on several threads. Shared out, a step's deposits still come in ant order.

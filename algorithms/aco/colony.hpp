@@ -51,8 +51,8 @@ class Colony {
   /// Best so far; has arrived once there is one.
   const Walk& best() const { return best_; }
 
-  /// During a run: tau := (1 - evaporation) * tau on every step, then deposit_all(count).
-  void evaporate_and_deposit(std::size_t count);
+  /// During a run: the rule's imprint, of the first `count` ants.
+  void imprint(std::size_t count);
   /// During a run: each of the first `count` ants that arrived adds the rule's amount to the steps of its
   /// path, in ant order.
   void deposit_all(std::size_t count);

@@ -1,5 +1,6 @@
 #include "algorithms/aco/early_deposits.hpp"
 
+#include <algorithm>
 #include <atomic>
 
 #include "core/prefetch.hpp"
@@ -13,10 +14,27 @@ bool is_back(Walk& walk, std::uint32_t round) {
 
 }  // namespace
 
+EarlyDeposits::EarlyDeposits(const PheromoneRule& rule, const Nest& nest, Trail& trail,
+                             std::vector<Walk>& walks)
+    : rule_(rule),
+      nest_(nest),
+      trail_(trail),
+      walks_(walks),
+      imprint_(rule.imprint()),
+      until_a_step_back_(rule.deposits_early() == Early::until_a_step_back) {
+  trail_.keep_draft();
+}
+
 void EarlyDeposits::begin(std::size_t ants, std::uint32_t round) {
   tally_ = {};
   round_ = round;
-  ants_ = trail_.begin_draft(1 - rule_.settings().evaporation) ? ants : 0;
+  ants_ = 0;
+  trail_.drop_draft();
+  if (rounds_off_ > 0) {
+    --rounds_off_;
+  } else if (trail_.begin_draft(imprint_.persistence)) {
+    ants_ = ants;
+  }
 }
 
 // Paths that another core has written are asked for before the first is needed.
@@ -26,10 +44,27 @@ void EarlyDeposits::go_on() {
   for (; end < ants_ && is_back(walks_[end], round_); ++end) prefetch(walks_[end].directions.data());
   for (; next < end; ++next) {
     const Walk& walk = walks_[next];
+    if (until_a_step_back_ && walk.pops > 0) return give_up();
     tally_.add(walk, rule_);
-    if (!walk.arrived) continue;
-    trail_.deposit_on_draft(nest_.start(), walk.directions, rule_.amount(walk), rule_.settings().both_ways);
+    if (walk.arrived || imprint_.of_the_dead) leave_imprint(walk);
   }
+}
+
+void EarlyDeposits::leave_imprint(const Walk& walk) {
+  const double amount = rule_.amount(walk);
+  const bool both_ways = rule_.settings().both_ways;
+  trail_.change_draft_along(nest_.start(), walk.directions, imprint_.factor, amount, both_ways);
+  if (!imprint_.on_popped) return;
+  for (const Step& step : walk.popped) {
+    trail_.change_draft_along(step.index, {&step.direction, 1}, imprint_.factor, amount, both_ways);
+  }
+}
+
+// An iteration with steps back is likely followed by more of them.
+void EarlyDeposits::give_up() {
+  ants_ = 0;
+  pause_ = std::min(2 * pause_ + 1, longest_pause);
+  rounds_off_ = pause_;
 }
 
 void EarlyDeposits::conclude() {
@@ -42,6 +77,7 @@ bool EarlyDeposits::finish(std::size_t ants) {
   go_on();
   trail_.adopt_draft();
   ants_ = 0;
+  pause_ = 0;
   return true;
 }
 

@@ -19,12 +19,10 @@ namespace pathrace::algorithms {
 class alignas(128) EarlyDeposits {
  public:
   /// Everything outlives this.
-  EarlyDeposits(const PheromoneRule& rule, const Nest& nest, Trail& trail, std::vector<Walk>& walks)
-      : rule_(rule), nest_(nest), trail_(trail), walks_(walks) {
-    trail_.keep_draft();
-  }
+  EarlyDeposits(const PheromoneRule& rule, const Nest& nest, Trail& trail, std::vector<Walk>& walks);
 
-  /// Ants 0..ants-1 are about to walk in this round. Nothing is done early when no draft can be had.
+  /// Ants 0..ants-1 are about to walk in this round. Nothing is done early when no draft can be had, nor for
+  /// a few rounds after the rule's condition has not held.
   void begin(std::size_t ants, std::uint32_t round);
   /// Deposits for those that are back and next in order.
   void go_on();
@@ -37,13 +35,22 @@ class alignas(128) EarlyDeposits {
   bool finish(std::size_t ants);
 
  private:
+  static constexpr int longest_pause = 63;
+
+  void leave_imprint(const Walk& walk);
+  void give_up();
+
   const PheromoneRule& rule_;
   const Nest& nest_;
   Trail& trail_;
   std::vector<Walk>& walks_;
+  Imprint imprint_;
+  bool until_a_step_back_;
   Tally tally_;
   std::size_t ants_ = 0;  // 0 without a draft
   std::uint32_t round_ = 0;
+  int pause_ = 0;       // rounds, after the last time that the condition has not held
+  int rounds_off_ = 0;  // of it that are left
 };
 
 }  // namespace pathrace::algorithms

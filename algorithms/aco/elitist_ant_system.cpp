@@ -28,10 +28,10 @@ class ElitistAntSystem final : public PheromoneRule {
     return (elite_ + settings().ants) * settled(scout.length);
   }
 
-  bool deposits_early() const override { return true; }
+  Early deposits_early() const override { return Early::yes; }
 
   void learn(Colony& colony, const Harvest& harvest) override {
-    colony.evaporate_and_deposit(harvest.count);
+    colony.imprint(harvest.count);
     if (elite_ > 0 && colony.best().arrived) colony.deposit(colony.best(), elite_ * amount(colony.best()));
   }
 

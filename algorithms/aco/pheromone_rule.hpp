@@ -35,6 +35,22 @@ struct Harvest {
   bool improved = false;           ///< the best so far is of this iteration
 };
 
+/// What the ants of an iteration do to the trail: tau := persistence * tau on every step; then, ant by ant,
+/// tau := factor * tau + amount on the steps of its path.
+struct Imprint {
+  double persistence = 1;
+  double factor = 1;         ///< not negative
+  bool of_the_dead = false;  ///< ants that did not arrive leave one, too
+  bool on_popped = false;    ///< on steps that were taken back, too, after those of the path
+};
+
+/// May deposits, imprints that is, be made while other ants still walk?
+enum class Early {
+  no,
+  yes,
+  until_a_step_back,  ///< only in iterations in which no ant steps back
+};
+
 class PheromoneRule {
  public:
   explicit PheromoneRule(const ColonySettings& settings) : settings_(settings) {}
@@ -53,10 +69,13 @@ class PheromoneRule {
   /// True: walks list the steps that were taken back.
   virtual bool keeps_popped() const { return false; }
 
-  /// True: revise() alters no walk, and learn() changes no pheromone before it calls
-  /// Colony::evaporate_and_deposit. Deposits may then be made while other ants still walk, and `amount` and
-  /// `better` be called by another thread.
-  virtual bool deposits_early() const { return false; }
+  /// True: walks know their turns.
+  virtual bool counts_turns() const { return false; }
+
+  virtual Imprint imprint() const { return {.persistence = 1 - settings_.evaporation}; }
+  /// Not `no`: revise() alters no walk, and learn() changes no pheromone before it calls Colony::imprint.
+  /// `amount` and `better` may be called while ants walk.
+  virtual Early deposits_early() const { return Early::no; }
 
   /// Once, when nest and trail stand: limits, an initial field over the even one.
   virtual void begin(Colony& colony);
@@ -66,7 +85,7 @@ class PheromoneRule {
   virtual bool better(const Walk& challenger, const Walk& incumbent) const {
     return challenger.length < incumbent.length;
   }
-  /// What an ant that arrived adds to each step of its path, eq. (3).
+  /// What an ant adds to each step of its path, eq. (3).
   virtual double amount(const Walk& walk) const { return settings_.deposit / walk.length.value(); }
   /// The iteration's end: evaporation, deposits, penalties, dead ends.
   virtual void learn(Colony& colony, const Harvest& harvest) = 0;

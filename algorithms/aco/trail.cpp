@@ -31,7 +31,12 @@ std::array<float, direction_count> desirabilities(unsigned mask, std::size_t ind
   return row;
 }
 
-// Adds to a strength, within limits. What is only added to cannot fall below the lower one.
+// Changes a strength, within limits.
+auto alteration(float kept, float added, float least, float most) {
+  return [=](float& tau) { tau = std::min(std::max(std::max(tau, least) * kept + added, least), most); };
+}
+
+// The same with kept = 1 and added >= 0: what is only added to cannot fall below the lower limit.
 auto addition(float added, float least, float most) {
   return [=](float& tau) { tau = std::min(std::max(tau, least) + added, most); };
 }
@@ -134,7 +139,7 @@ void Trail::change_strengths(CellRange cells, std::size_t index, std::span<const
     }
   };
   if (kept == 1 && added >= 0) return along(addition(added, least, most));
-  along([=](float& tau) { tau = std::min(std::max(std::max(tau, least) * kept + added, least), most); });
+  along(alteration(kept, added, least, most));
 }
 
 void Trail::keep_draft() {
@@ -185,19 +190,26 @@ void Trail::Deposits::add(std::size_t index, std::span<const std::uint8_t> direc
 }
 
 // The rows of a held path have been marked when it came first.
-void Trail::deposit_on_draft(std::size_t index, std::span<const std::uint8_t> directions, double amount,
-                             bool both_ways) {
+void Trail::change_draft_along(std::size_t index, std::span<const std::uint8_t> directions, double factor,
+                               double amount, bool both_ways) {
   if (draft_is_due_) fill_draft();
+  const auto kept = static_cast<float>(factor);
   const auto added = static_cast<float>(amount / draft_scale_);
   const auto [least, most] = draft_bounds_;
-  if (held_.comes(draft_.data(), steps_, index, directions, both_ways)) return held_.add(added, least, most);
-  const auto add = addition(added, least, most);
-  float* const row = draft_[index].strength.data();
-  const auto mark = [add_row = drafted_.adder(), first = draft_[0].strength.data()](const float* visited) {
-    add_row(static_cast<std::size_t>(visited - first) / floats_per_row);
+  const auto along = [&](const auto& change) {
+    float* const row = draft_[index].strength.data();
+    const auto mark = [add_row = drafted_.adder(), first = draft_[0].strength.data()](const float* visited) {
+      add_row(static_cast<std::size_t>(visited - first) / floats_per_row);
+    };
+    both_ways ? for_each_strength<true, true>(row, 0, row, steps_, directions, change, mark)
+              : for_each_strength<false, true>(row, 0, row, steps_, directions, change, mark);
   };
-  both_ways ? for_each_strength<true, true>(row, 0, row, steps_, directions, add, mark)
-            : for_each_strength<false, true>(row, 0, row, steps_, directions, add, mark);
+  if (kept != 1 || added < 0) {
+    held_.end();
+    return along(alteration(kept, added, least, most));
+  }
+  if (held_.comes(draft_.data(), steps_, index, directions, both_ways)) return held_.add(added, least, most);
+  along(addition(added, least, most));
 }
 
 void Trail::adopt_draft() {

@@ -92,11 +92,13 @@ class Trail {
   /// as it is until the draft is adopted; the limits stay as they are until then. False when there can be
   /// none: there is no room, or the whole trail is due for rewriting. While no other thread reads the trail.
   bool begin_draft(double persistence);
-  /// `change_along` on the draft, with factor 1 and amount >= 0. The trail may be read meanwhile.
-  void deposit_on_draft(std::size_t index, std::span<const std::uint8_t> directions, double amount,
-                        bool both_ways);
-  /// The draft becomes the trail: bit by bit what `evaporate` and the same deposits would have made of it.
+  /// `change_along` on the draft. The trail may be read meanwhile.
+  void change_draft_along(std::size_t index, std::span<const std::uint8_t> directions, double factor,
+                          double amount, bool both_ways);
+  /// The draft becomes the trail: bit by bit what `evaporate` and the same changes would have made of it.
   void adopt_draft();
+  /// No draft is under way. While no other thread reads the trail.
+  void drop_draft() { drafting_ = false; }
   /// The rows for threads that do not deposit, as long as a draft is under way. A row that two cores read and
   /// one of them writes changes cores again and again; so they have copies.
   const TrailRow* rows_for_others() const { return drafting_ ? copies_.data() : rows_.data(); }
@@ -167,7 +169,7 @@ class Trail {
   // What a thread writes while others read the trail: on lines of its own. An adopted draft and the trail
   // change places, so that few rows have to be copied for the next one.
   alignas(128) Rows draft_;  // of the same desirabilities; empty when none is kept
-  RowMarks drafted_;         // rows, by deposits on the draft
+  RowMarks drafted_;         // rows, by changes of the draft
   HeldPath held_;            // of the draft, or of the rows while there are Deposits
   double draft_scale_ = 1;
   Bounds draft_bounds_;

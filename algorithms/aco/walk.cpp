@@ -2,11 +2,9 @@
 
 namespace pathrace::algorithms {
 
-int turns(const Walk& walk) {
+int turns_of(const std::vector<std::uint8_t>& directions) {
   int count = 0;
-  for (std::size_t i = 1; i < walk.directions.size(); ++i) {
-    count += walk.directions[i] != walk.directions[i - 1] ? 1 : 0;
-  }
+  for (std::size_t i = 1; i < directions.size(); ++i) count += directions[i] != directions[i - 1] ? 1 : 0;
   return count;
 }
 

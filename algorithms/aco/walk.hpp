@@ -24,8 +24,9 @@ struct alignas(128) Walk {
   bool arrived = false;
   std::uint32_t round = 0;  ///< in which it was walked; written last, for who waits for it on another thread
   std::vector<std::uint8_t>
-      directions;               ///< of the path; of an ant that died, only where the rule asks for it
-  LatticeLength length;         ///< of the path
+      directions;        ///< of the path; of an ant that died, only where the rule asks for it
+  LatticeLength length;  ///< of the path
+  int turns = 0;         ///< steps in another direction than the one before, where the rule asks for it
   std::uint64_t decisions = 0;  ///< steps forwards, backwards or onto a visited cell
   std::uint64_t pops = 0;       ///< steps backwards
   std::vector<Step> popped;     ///< steps taken back, in this order, only where the rule asks for it
@@ -33,8 +34,8 @@ struct alignas(128) Walk {
   friend bool operator==(const Walk&, const Walk&) = default;
 };
 
-/// Steps that change the direction of the step before.
-int turns(const Walk& walk);
+/// Steps in another direction than the one before.
+int turns_of(const std::vector<std::uint8_t>& directions);
 LatticeLength length_of(const std::vector<std::uint8_t>& directions);
 /// Padded indices from the start, the last cell included.
 std::vector<std::uint32_t> cells_of(const Nest& nest, const Walk& walk);

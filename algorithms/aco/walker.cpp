@@ -112,6 +112,7 @@ void Walker::finish(Lane& lane, bool arrived) {
   }
   paths_[lane.ant] = walk.directions.data();
   walk.length = length_of(walk.directions);
+  if (ground_.count_turns) walk.turns = turns_of(walk.directions);
   if (ground_.keep_popped) walk.popped = lane.popped;
   std::atomic_ref(walk.round).store(outing_->round, std::memory_order_release);
   if (lane.place.empty()) return;

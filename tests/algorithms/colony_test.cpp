@@ -82,10 +82,30 @@ TEST(Colony, DepositsOfLongWalksAreSharedOutAndNothingElseChanges) {
   }
 }
 
+// Its ants step back in fewer and fewer iterations: deposits are given up early, then made early.
+TEST(Colony, WithAPriceOnStepsBackIsTheSameOnSeveralThreadsWhileThoseBecomeRare) {
+  const Scenario scenario = scenarios::Library().load("dense/20-30/4");
+  const std::string call = "tan2016:ants=10,dead_end=backtrack,answer=argmax_pheromone";
+  const auto pops = [](const TrialRecord& record) {
+    return std::ranges::find(record.counters, "pops", &Counter::name)->value;
+  };
+  const TrialRecord expected = run({call, evaluations(2500)}, scenario);
+  EXPECT_GT(pops(run({call, evaluations(1500)}, scenario)), pops(run({call, evaluations(1000)}, scenario)));
+  EXPECT_EQ(pops(expected), pops(run({call, evaluations(2000)}, scenario)));
+  for (const std::string& backend : testing::executors_under_test()) {
+    for (const int threads : {2, 3}) {
+      const TrialRecord record = run({call, evaluations(2500), backend, threads}, scenario);
+      EXPECT_EQ(digest(record), digest(expected)) << backend << ' ' << threads;
+      EXPECT_EQ(record.counters, expected.counters) << backend << ' ' << threads;
+    }
+  }
+}
+
 // The answer is read off the last trail, and the last ants are cut: none of their deposits may be in it.
 TEST(Colony, TheTrailIsTheSameOnSeveralThreadsWhereverTheBudgetEnds) {
   const Scenario scenario = scenarios::Library().load("dense/20-20/2");
-  for (const std::string variant : {"as:", "eas:", "tan2016:mu=1,", "tan2016:", "as:alpha=2,"}) {
+  for (const std::string variant :
+       {"as:", "eas:", "tan2016:mu=1,", "tan2016:", "as:alpha=2,", "acs:", "acs:xi=0.5,alpha=2,"}) {
     const std::string call = variant + "dead_end=backtrack,answer=argmax_pheromone";
     for (const std::uint64_t checks : {5000U, 12345U, 40000U}) {
       Budget budget = evaluations(900);

@@ -20,8 +20,12 @@ class Recorder final : public PheromoneRule {
     asked.push_back(walk.directions.size());
     return 0.3 / static_cast<double>(walk.directions.size());
   }
+  Imprint imprint() const override { return left; }
+  Early deposits_early() const override { return early; }
   void learn(Colony& /*colony*/, const Harvest& /*harvest*/) override {}
 
+  Imprint left{.persistence = 0.7};
+  Early early = Early::yes;
   mutable std::vector<std::size_t> asked;
 };
 
@@ -44,7 +48,7 @@ class EarlyDepositsTest : public ::testing::Test {
   Trail after(std::size_t count) {
     Trail other(nest.moves(), 1, 1, 1, eta);
     other.limit(1e-6, Trail::no_limit);
-    other.evaporate(1 - settings.evaporation);
+    other.evaporate(rule.left.persistence);
     for (std::size_t k = 0; k < count; ++k) {
       if (!walks[k].arrived) continue;
       other.change_along(nest.start(), walks[k].directions, 1, 0.3 / static_cast<double>(k + 1), true);
@@ -129,7 +133,7 @@ TEST_F(EarlyDepositsTest, ComeInTheNextRoundToATrailThatHasAllOfTheLast) {
     come_back(0, round);
     EXPECT_TRUE(deposits.finish(1));
     EXPECT_FLOAT_EQ(static_cast<float>(trail.pheromone(nest.start(), 0)),
-                    static_cast<float>(before * (1 - settings.evaporation) + 0.3));
+                    static_cast<float>(before * rule.left.persistence + 0.3));
   }
 }
 
@@ -139,7 +143,7 @@ TEST_F(EarlyDepositsTest, OfAntsThatDoNotCountAreForgotten) {
   deposits.go_on();
   EXPECT_FALSE(deposits.finish(3));
   EXPECT_EQ(trail.pheromone(nest.start(), 0), 1);
-  trail.evaporate(1 - settings.evaporation);
+  trail.evaporate(rule.left.persistence);
   for (std::size_t k = 0; k < 3; ++k) {
     trail.change_along(nest.start(), walks[k].directions, 1, 0.3 / static_cast<double>(k + 1), true);
   }
@@ -153,6 +157,84 @@ TEST_F(EarlyDepositsTest, OfAntsThatDiedAreNone) {
   EXPECT_TRUE(deposits.finish(4));
   EXPECT_EQ(rule.asked, (std::vector<std::size_t>{1, 3, 4}));
   EXPECT_TRUE(equals(after(4)));
+}
+
+TEST_F(EarlyDepositsTest, MayWearTheTrailOffAndCountTheDeadAndStepsTakenBack) {
+  rule.left = {.persistence = 1, .factor = 0.5, .of_the_dead = true, .on_popped = true};
+  walks[1].arrived = false;
+  walks[2].popped = {{static_cast<std::uint32_t>(nest.start()), 2},
+                     {static_cast<std::uint32_t>(grid.index({1, 1})), 7}};
+  EarlyDeposits wear(rule, nest, trail, walks);
+  wear.begin(4, 1);
+  for (std::size_t k = 0; k < 4; ++k) come_back(k, 1);
+  ASSERT_TRUE(wear.finish(4));
+  Trail other(nest.moves(), 1, 1, 1, eta);
+  other.limit(1e-6, Trail::no_limit);
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double amount = 0.3 / static_cast<double>(k + 1);
+    other.change_along(nest.start(), walks[k].directions, 0.5, amount, true);
+    for (const Step step : walks[k].popped) other.change(step.index, step.direction, 0.5, amount, true);
+  }
+  EXPECT_TRUE(equals(other));
+}
+
+TEST_F(EarlyDepositsTest, AreGivenUpAtTheFirstStepBackWhereTheRuleAsksForThat) {
+  rule.early = Early::until_a_step_back;
+  EarlyDeposits careful(rule, nest, trail, walks);
+  walks[2].pops = 1;
+  careful.begin(4, 1);
+  for (std::size_t k = 0; k < 4; ++k) come_back(k, 1);
+  careful.conclude();
+  EXPECT_EQ(rule.asked, (std::vector<std::size_t>{1, 2}));
+  EXPECT_EQ(careful.tally().walks, 2U);
+  EXPECT_FALSE(careful.finish(4));
+  EXPECT_EQ(trail.pheromone(nest.start(), 0), 1);
+  EXPECT_TRUE(equals(Trail(nest.moves(), 1, 1, 1, eta)));
+}
+
+// After each time that they were given up, twice as many rounds and one pass without; one success, and the
+// next time counts as the first.
+TEST_F(EarlyDepositsTest, PauseForLongerAndLongerWhereStepsBackGoOn) {
+  rule.early = Early::until_a_step_back;
+  EarlyDeposits careful(rule, nest, trail, walks);
+  std::uint32_t round = 0;
+  const auto tried = [&](std::uint64_t pops) {
+    walks[0].pops = pops;
+    careful.begin(1, ++round);
+    come_back(0, round);
+    const std::size_t asked = rule.asked.size();
+    careful.conclude();
+    const bool made = careful.finish(1);
+    EXPECT_EQ(made, rule.asked.size() > asked);
+    return made;
+  };
+  const auto rounds_until_a_success = [&] {
+    int rounds = 1;
+    while (!tried(0)) ++rounds;
+    return rounds;
+  };
+  EXPECT_FALSE(tried(1));
+  EXPECT_EQ(rounds_until_a_success(), 2);
+  EXPECT_FALSE(tried(1));
+  for (const int pause : {1, 3, 7, 15, 31, 63, 63}) {
+    for (int k = 0; k < pause; ++k) EXPECT_FALSE(tried(0)) << pause;
+    EXPECT_FALSE(tried(1));
+  }
+  EXPECT_EQ(rounds_until_a_success(), 64);
+  EXPECT_TRUE(tried(0));
+}
+
+TEST_F(EarlyDepositsTest, OthersReadTheTrailItselfDuringAPause) {
+  rule.early = Early::until_a_step_back;
+  EarlyDeposits careful(rule, nest, trail, walks);
+  walks[0].pops = 1;
+  careful.begin(1, 1);
+  EXPECT_NE(trail.rows_for_others(), trail.rows());
+  come_back(0, 1);
+  careful.conclude();
+  EXPECT_NE(trail.rows_for_others(), trail.rows());  // somebody may just begin to walk
+  careful.begin(1, 2);
+  EXPECT_EQ(trail.rows_for_others(), trail.rows());
 }
 
 TEST_F(EarlyDepositsTest, AreNotBegunTwiceByOneBeginning) {

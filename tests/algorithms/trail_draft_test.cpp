@@ -19,7 +19,7 @@ void expect_copies(const Trail& trail, std::size_t size, bool drafting) {
 }
 
 // As often as `evaporate` rewrites the trail, there is no draft to be had.
-TEST(TrailDraft, AnAdoptedDraftIsEvaporationAndTheSameDepositsBitForBit) {
+TEST(TrailDraft, AnAdoptedDraftIsEvaporationAndTheSameChangesBitForBit) {
   const std::vector<std::string> rows(6, ".......");
   for (const bool both_ways : {false, true}) {
     Stream stream(6);
@@ -37,9 +37,10 @@ TEST(TrailDraft, AnAdoptedDraftIsEvaporationAndTheSameDepositsBitForBit) {
         const std::size_t first = plain.at(stream.between(0, 6), stream.between(0, 5));
         const std::vector<std::uint8_t> walk = random_walk(plain, first, stream);
         const double amount = 4 * stream.uniform();
-        plain.trail.change_along(first, walk, 1, amount, both_ways);
-        draft ? drafted.trail.deposit_on_draft(first, walk, amount, both_ways)
-              : drafted.trail.change_along(first, walk, 1, amount, both_ways);
+        const double factor = stream.chance(0.3) ? stream.uniform() : 1;
+        plain.trail.change_along(first, walk, factor, amount, both_ways);
+        draft ? drafted.trail.change_draft_along(first, walk, factor, amount, both_ways)
+              : drafted.trail.change_along(first, walk, factor, amount, both_ways);
       }
       if (draft) drafted.trail.adopt_draft();
       ASSERT_EQ(drafted.trail.least_strength(), plain.trail.least_strength());
@@ -79,16 +80,17 @@ TEST(TrailDraft, ADraftFollowsWhateverElseChangesTheTrail) {
     if (deed == 5) both([&](Trail& trail) { trail.set(first, 5, amount); });
     if (deed == 6) both([&](Trail& trail) { trail.evaporate(0.5); });
     if (deed == 7 && drafted.trail.begin_draft(0.9)) {
-      drafted.trail.deposit_on_draft(first, walk, amount, true);  // and is not adopted
+      drafted.trail.change_draft_along(first, walk, 1, amount, true);  // and is not adopted
     }
     const bool draft = drafted.trail.begin_draft(0.95);
     expect_copies(drafted.trail, end, draft);
     if (!draft) drafted.trail.evaporate(0.95);
     plain.trail.evaporate(0.95);
-    for (int ant = 0; ant < 2; ++ant) {
-      plain.trail.change_along(first, walk, 1, amount, true);
-      draft ? drafted.trail.deposit_on_draft(first, walk, amount, true)
-            : drafted.trail.change_along(first, walk, 1, amount, true);
+    for (int ant = 0; ant < 4; ++ant) {
+      const double factor = round % 3 == 0 && ant == 2 ? 0.9 : 1;
+      plain.trail.change_along(first, walk, factor, amount, true);
+      draft ? drafted.trail.change_draft_along(first, walk, factor, amount, true)
+            : drafted.trail.change_along(first, walk, factor, amount, true);
     }
     expect_copies(drafted.trail, end, draft);
     if (draft) drafted.trail.adopt_draft();
@@ -108,7 +110,7 @@ TEST(TrailDraft, TheSameDirectionsFromAnotherCellAreAnotherPath) {
     plain.trail.evaporate(0.5);
     for (const int y : {0, 1, 2, 2}) {
       plain.trail.change_along(plain.at(0, y), east, 1, 1 + y, true);
-      drafted.trail.deposit_on_draft(plain.at(0, y), east, 1 + y, true);
+      drafted.trail.change_draft_along(plain.at(0, y), east, 1, 1 + y, true);
     }
     drafted.trail.adopt_draft();
     ASSERT_NO_FATAL_FAILURE(expect_same_strengths(drafted, plain)) << round;
@@ -120,7 +122,7 @@ TEST(TrailDraft, ADraftThatIsNotAdoptedChangesNothing) {
   const std::size_t middle = field.at(1, 1);
   field.trail.keep_draft();
   ASSERT_TRUE(field.trail.begin_draft(0.5));
-  field.trail.deposit_on_draft(middle, std::vector<std::uint8_t>{0}, 3, true);
+  field.trail.change_draft_along(middle, std::vector<std::uint8_t>{0}, 1, 3, true);
   EXPECT_EQ(field.trail.pheromone(middle, 0), 1);
   ASSERT_TRUE(field.trail.begin_draft(0.5));
   field.trail.adopt_draft();

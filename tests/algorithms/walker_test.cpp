@@ -69,6 +69,20 @@ TEST(Walker, NeverStepsOnACellTwiceAndArrivesWithItsExactLength) {
   EXPECT_GT(arrived, 0);
 }
 
+TEST(Walker, CountsTurnsWhereItIsAskedTo) {
+  const Field field(grid_of({"....", "....", "....", "...."}), MoveRule::strict, {0, 0}, {3, 3});
+  for (const bool asked : {false, true}) {
+    Ground ground = field.ground(DeadEnd::backtrack);
+    ground.count_turns = asked;
+    std::vector<Walk> walks(20);
+    AntQueue queue(0, walks.size());
+    const Stream stream(17);
+    const Meter meter({});
+    Walker(ground, 4).run(queue, {stream, no_limit, meter, walks});
+    for (const Walk& walk : walks) EXPECT_EQ(walk.turns, asked ? turns_of(walk.directions) : 0);
+  }
+}
+
 TEST(Walker, DiesInADeadEndWhenToldTo) {
   const Field field(grid_of({"...", "##.", "..."}), MoveRule::four, {1, 0}, {0, 0},
                     [](std::size_t, int d) { return d == 0 ? 1e9 : 1e-9; });
@@ -206,7 +220,7 @@ TEST(Walk, HasCellsALengthAndTurns) {
   Walk walk;
   walk.directions = {0, 1, 0};
   EXPECT_EQ(length_of(walk.directions), (LatticeLength{2, 1}));
-  EXPECT_EQ(turns(walk), 2);
+  EXPECT_EQ(turns_of(walk.directions), 2);
   EXPECT_EQ(testing::cells_over(field.nest, walk), (std::vector<Cell>{{0, 0}, {1, 0}, {2, 1}, {3, 1}}));
 }
 

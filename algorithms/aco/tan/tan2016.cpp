@@ -59,6 +59,7 @@ class Tan2016 final : public PheromoneRule {
 
   double initial_pheromone(const Scout& scout) const override { return settings_.ants / scout.length; }
   bool keeps_popped() const override { return settings_.mu < 1 || dead_ends_.global(); }
+  bool counts_turns() const override { return settings_.phi > 0; }
 
   void begin(Colony& colony) override {
     PheromoneRule::begin(colony);
@@ -76,7 +77,7 @@ class Tan2016 final : public PheromoneRule {
   }
 
   double amount(const Walk& walk) const override {
-    return settings_.deposit / (walk.length.value() + settings_.phi * turns(walk));
+    return settings_.deposit / (walk.length.value() + settings_.phi * walk.turns);
   }
 
   // Where turns have a price: of equal lengths the one with fewer turns, then the first in the order of
@@ -84,19 +85,19 @@ class Tan2016 final : public PheromoneRule {
   bool better(const Walk& challenger, const Walk& incumbent) const override {
     if (challenger.length != incumbent.length || settings_.phi == 0)
       return challenger.length < incumbent.length;
-    const int difference = turns(challenger) - turns(incumbent);
-    return difference != 0 ? difference < 0 : challenger.directions < incumbent.directions;
+    if (challenger.turns != incumbent.turns) return challenger.turns < incumbent.turns;
+    return challenger.directions < incumbent.directions;
   }
 
   void draw(Overlay& overlay) const override { algorithms::draw(environment_, overlay); }
 
   // A penalty comes before the deposits; closing cells leaves pheromone as it is.
-  bool deposits_early() const override { return settings_.mu == 1; }
+  Early deposits_early() const override { return settings_.mu < 1 ? Early::until_a_step_back : Early::yes; }
 
   void learn(Colony& colony, const Harvest& harvest) override {
     if (settings_.mu < 1) penalise(colony, harvest.count);
     dead_ends_.mark(colony, harvest.count);
-    colony.evaporate_and_deposit(harvest.count);
+    colony.imprint(harvest.count);
   }
 
  private:
