@@ -114,6 +114,8 @@ class Pu2022 : public PheromoneRule {
   void teach(Colony& colony, Context& context, std::size_t count) {
     std::vector<Walk*> pupils;
     std::vector<LatticeLength> before;
+    pupils.reserve(count);
+    before.reserve(count);
     for (std::size_t k = 0; k < count; ++k) {
       Walk& walk = colony.walks()[k];
       if (!walk.arrived) continue;
