@@ -234,6 +234,87 @@ TEST(Colony, KeepsTrailsInsideTheirLimitsAndAntsOutOfClosedCells) {
   EXPECT_EQ(rule.entered, 0);
 }
 
+// A rule whose every ant wears the trail off; what its imprint should be is worked out beside it.
+class Worn final : public PheromoneRule {
+ public:
+  explicit Worn(const ColonySettings& settings) : PheromoneRule(settings) {}
+
+  double initial_pheromone(const Scout& scout) const override { return 10 / scout.length; }
+  bool keeps_the_dead() const override { return true; }
+  bool keeps_popped() const override { return true; }
+  Imprint imprint() const override {
+    return {.persistence = 0.9, .factor = 0.75, .of_the_dead = true, .on_popped = true};
+  }
+  double amount(const Walk& walk) const override { return 0.1 + 0.01 * static_cast<double>(walk.pops); }
+  Early deposits_early() const override { return Early::yes; }
+
+  void learn(Colony& colony, const Harvest& harvest) override {
+    const Nest& nest = colony.nest();
+    Trail expected = colony.trail();
+    expected.evaporate(0.9);
+    for (std::size_t k = 0; k < harvest.count; ++k) {
+      const Walk& walk = colony.walks()[k];
+      dead += walk.arrived ? 0 : 1;
+      popped += walk.popped.size();
+      expected.change_along(nest.start(), walk.directions, 0.75, amount(walk), true);
+      for (const Step step : walk.popped) {
+        expected.change(step.index, step.direction, 0.75, amount(walk), true);
+      }
+    }
+    colony.imprint(harvest.count);
+    for (std::size_t index = 0; index < nest.size(); ++index) {
+      for (int d = 0; d < direction_count; ++d) {
+        wrong += colony.trail().pheromone(index, d) != expected.pheromone(index, d) ? 1 : 0;
+      }
+    }
+  }
+
+  int dead = 0;
+  std::size_t popped = 0;
+  int wrong = 0;
+};
+
+TEST(Colony, LeavesTheImprintOfItsRuleWhetherEarlyOrNot) {
+  // Who turns down steps into an alley of 20 cells, and out again; nobody has the steps to do so and arrive.
+  const OccupancyGrid grid = grid_of({"..........", ".########.", ".........#", "########.#", ".........#"});
+  ColonySettings settings;
+  settings.dead_end = DeadEnd::backtrack;
+  settings.max_steps = 45;
+  const std::unique_ptr<Executor> serial = bench::make_executor("serial", 1);
+  BackwardsExecutor early;
+  for (Executor* executor : {serial.get(), static_cast<Executor*>(&early)}) {
+    Worn rule(settings);
+    Meter meter(evaluations(1000));
+    Context context{Stream(5), *executor, meter};
+    Colony colony(rule, {grid, MoveRule::strict, {0, 0}, {9, 0}});
+    colony.run(context);
+    EXPECT_GT(rule.dead, 10) << executor->name();
+    EXPECT_GT(rule.popped, 100U) << executor->name();
+    EXPECT_EQ(rule.wrong, 0) << executor->name();
+  }
+}
+
+// The local update leads back to the initial pheromone, and nothing else changes a step where the best path
+// is not renewed.
+TEST(AntColonySystem, WearsNoStepOffBelowTheInitialPheromone) {
+  const Scenario scenario = scenarios::Library().load("dense/20-20/2");
+  const Entrant entrant =
+      bench::roster().enter(parse_call("acs:dead_end=backtrack,initial_pheromone=2,evaporation=0"));
+  const auto planner = entrant.card->make(entrant.values)(scenario.terrain);
+  const std::unique_ptr<Executor> serial = bench::make_executor("serial", 1);
+  Meter meter(evaluations(400));
+  Overlay overlay;
+  Context context{Stream(6), *serial, meter, &overlay};
+  planner->plan(scenario.start, scenario.goal, context);
+  int free = 0;
+  for (const double tau : overlay.field) {
+    if (tau == 0) continue;
+    ++free;
+    EXPECT_NEAR(tau, 2, 1e-4);
+  }
+  EXPECT_GT(free, 200);
+}
+
 TEST(Colony, AVariantLearnsShorterPathsThanTheSameAntsWithoutPheromone) {
   const scenarios::Library library;
   for (const std::string variant : {"as-rank:", "acs:q0=0,", "mmas:evaporation=0.2,", "eas:elite=5,"}) {

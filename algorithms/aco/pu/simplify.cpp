@@ -9,7 +9,8 @@ namespace {
 constexpr int none = -1;
 
 // Of two steps in a row: the one step that leads to the same cell, and the direction that leads there in two
-// steps straight on, if there is such a one.
+// steps straight on, if there is such a one. That is no diagonal: legal wherever its cell is free, so where
+// the first step is legal the second is, too.
 struct Corner {
   int joined = none;
   int straight = none;
@@ -50,10 +51,6 @@ bool legal(const MoveTable& moves, std::size_t from, int direction) {
   return direction != none && (moves[from] >> direction & 1) != 0;
 }
 
-bool legal_twice(const MoveTable& moves, std::size_t from, int direction) {
-  return legal(moves, from, direction) && legal(moves, moves.step(from, direction), direction);
-}
-
 bool turns(Cell a, Cell b, Cell c) {
   const std::int64_t cross = std::int64_t{b.x - a.x} * (c.y - b.y) - std::int64_t{b.y - a.y} * (c.x - b.x);
   const std::int64_t dot = std::int64_t{b.x - a.x} * (c.x - b.x) + std::int64_t{b.y - a.y} * (c.y - b.y);
@@ -83,7 +80,7 @@ bool CornerCutter::has_corner(std::size_t start, const std::vector<std::uint8_t>
   std::size_t before = start;
   for (std::size_t k = 1; k < directions.size(); ++k) {
     const Corner& here = corner(directions[k - 1], directions[k]);
-    if (legal(moves_, before, here.joined) || legal_twice(moves_, before, here.straight)) return true;
+    if (legal(moves_, before, here.joined) || legal(moves_, before, here.straight)) return true;
     before = moves_.step(before, directions[k - 1]);
   }
   return false;
@@ -98,7 +95,7 @@ void CornerCutter::append(Arrival next) {
     if (legal(moves_, before, here.joined)) {
       drop();
       next.direction = static_cast<std::uint8_t>(here.joined);
-    } else if (legal_twice(moves_, before, here.straight)) {
+    } else if (legal(moves_, before, here.straight)) {
       drop();
       next.direction = static_cast<std::uint8_t>(here.straight);
       append({static_cast<std::uint32_t>(moves_.step(before, here.straight)), next.direction});
