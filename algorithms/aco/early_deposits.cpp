@@ -21,6 +21,7 @@ EarlyDeposits::EarlyDeposits(const PheromoneRule& rule, const Nest& nest, Trail&
       trail_(trail),
       walks_(walks),
       imprint_(rule.imprint()),
+      plain_(imprint_.factor == 1 && !imprint_.on_popped),
       until_a_step_back_(rule.deposits_early() == Early::until_a_step_back) {
   trail_.keep_draft();
 }
@@ -53,6 +54,7 @@ void EarlyDeposits::go_on() {
 void EarlyDeposits::leave_imprint(const Walk& walk) {
   const double amount = rule_.amount(walk);
   const bool both_ways = rule_.settings().both_ways;
+  if (plain_) return trail_.deposit_on_draft(nest_.start(), walk.directions, amount, both_ways);
   trail_.change_draft_along(nest_.start(), walk.directions, imprint_.factor, amount, both_ways);
   if (!imprint_.on_popped) return;
   for (const Step& step : walk.popped) {

@@ -45,6 +45,7 @@ class alignas(128) EarlyDeposits {
   Trail& trail_;
   std::vector<Walk>& walks_;
   Imprint imprint_;
+  bool plain_;  // deposits on paths only
   bool until_a_step_back_;
   Tally tally_;
   std::size_t ants_ = 0;  // 0 without a draft

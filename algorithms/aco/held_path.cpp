@@ -4,11 +4,7 @@
 
 namespace pathrace::algorithms {
 
-bool HeldPath::comes(TrailRow* rows, const RowSteps& steps, std::size_t from,
-                     std::span<const std::uint8_t> directions, bool both_ways) {
-  const bool again =
-      known_ && from == from_ && both_ways == both_ways_ && std::ranges::equal(directions, directions_);
-  if (again) return held_ || hold(rows, steps);
+bool HeldPath::another_comes(std::size_t from, std::span<const std::uint8_t> directions, bool both_ways) {
   put_back();
   from_ = from;
   directions_.assign(directions.begin(), directions.end());
@@ -18,7 +14,13 @@ bool HeldPath::comes(TrailRow* rows, const RowSteps& steps, std::size_t from,
 }
 
 void HeldPath::add(float added, float least, float most) {
-  for (float& tau : strengths_) tau = std::min(std::max(tau, least) + added, most);
+  const Strengths lower = least - Strengths{};
+  const Strengths upper = most - Strengths{};
+  for (Block& block : blocks_) {
+    const Strengths tau = block.strengths;
+    const Strengths sum = (tau < lower ? lower : tau) + added;
+    block.strengths = upper < sum ? upper : sum;
+  }
 }
 
 void HeldPath::end() {
@@ -49,15 +51,19 @@ bool HeldPath::hold(TrailRow* rows, const RowSteps& steps) {
         });
   along([](float&) {}, [&](const float* row) { seen(row) = 0; });
   if (twice != 0) return false;
-  strengths_.resize(where_.size());
-  std::ranges::transform(where_, strengths_.begin(), [](const float* tau) { return *tau; });
+  blocks_.resize((where_.size() + in_a_block - 1) / in_a_block);
+  for (std::size_t k = 0; k < where_.size(); ++k) {
+    blocks_[k / in_a_block].strengths[k % in_a_block] = *where_[k];
+  }
   held_ = true;
   return true;
 }
 
 void HeldPath::put_back() {
   if (!held_) return;
-  for (std::size_t k = 0; k < where_.size(); ++k) *where_[k] = strengths_[k];
+  for (std::size_t k = 0; k < where_.size(); ++k) {
+    *where_[k] = blocks_[k / in_a_block].strengths[k % in_a_block];
+  }
   held_ = false;
 }
 

@@ -92,7 +92,10 @@ class Trail {
   /// as it is until the draft is adopted; the limits stay as they are until then. False when there can be
   /// none: there is no room, or the whole trail is due for rewriting. While no other thread reads the trail.
   bool begin_draft(double persistence);
-  /// `change_along` on the draft. The trail may be read meanwhile.
+  /// `change_along` on the draft, with factor 1 and amount >= 0. The trail may be read meanwhile.
+  void deposit_on_draft(std::size_t index, std::span<const std::uint8_t> directions, double amount,
+                        bool both_ways);
+  /// The same with any factor.
   void change_draft_along(std::size_t index, std::span<const std::uint8_t> directions, double factor,
                           double amount, bool both_ways);
   /// The draft becomes the trail: bit by bit what `evaporate` and the same changes would have made of it.
@@ -139,6 +142,9 @@ class Trail {
   /// These make the copies, and the draft, what the trail is.
   void write_copies();
   void fill_draft();
+  template <typename Change>
+  void visit_draft(std::size_t index, std::span<const std::uint8_t> directions, bool both_ways,
+                   const Change& change);
   std::span<const std::uint32_t> copied() const { return {copied_.data(), copied_count_}; }
   Bounds bounds_at(double scale) const;
   void rescale();

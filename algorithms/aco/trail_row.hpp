@@ -1,6 +1,7 @@
 // What an ant reads of the trail at a cell, and how to get from row to row.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -31,6 +32,16 @@ struct RowSteps {
   std::array<std::ptrdiff_t, direction_count> on;    ///< to the row it leads to
   std::array<std::ptrdiff_t, direction_count> back;  ///< and there to the step back
 };
+
+/// Changes a strength, within limits.
+inline auto alteration(float kept, float added, float least, float most) {
+  return [=](float& tau) { tau = std::min(std::max(std::max(tau, least) * kept + added, least), most); };
+}
+
+/// The same with kept = 1 and added >= 0: what is only added to cannot fall below the lower limit.
+inline auto addition(float added, float least, float most) {
+  return [=](float& tau) { tau = std::min(std::max(tau, least) + added, most); };
+}
 
 // Calls `visit(row)` for each row of the path, and `change(strength)` for each step, and for each step back
 // when `both_ways`, that leads out of one of the `count` rows from `first` on. `row` is where the path

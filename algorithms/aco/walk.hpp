@@ -19,20 +19,22 @@ struct Step {
   friend bool operator==(const Step&, const Step&) = default;
 };
 
-/// Two cache lines, which processors fetch together: neighbours in a vector share neither.
+/// Two cache lines, which processors fetch together: neighbours in a vector share neither. The thread that
+/// deposits for all reads the first one only, unless the rule asks for more.
 struct alignas(128) Walk {
   bool arrived = false;
   std::uint32_t round = 0;  ///< in which it was walked; written last, for who waits for it on another thread
   std::vector<std::uint8_t>
-      directions;        ///< of the path; of an ant that died, only where the rule asks for it
-  LatticeLength length;  ///< of the path
-  int turns = 0;         ///< steps in another direction than the one before, where the rule asks for it
+      directions;               ///< of the path; of an ant that died, only where the rule asks for it
+  LatticeLength length;         ///< of the path
   std::uint64_t decisions = 0;  ///< steps forwards, backwards or onto a visited cell
   std::uint64_t pops = 0;       ///< steps backwards
-  std::vector<Step> popped;     ///< steps taken back, in this order, only where the rule asks for it
+  int turns = 0;             ///< steps in another direction than the one before, where the rule asks for it
+  std::vector<Step> popped;  ///< steps taken back, in this order, only where the rule asks for it
 
   friend bool operator==(const Walk&, const Walk&) = default;
 };
+static_assert(offsetof(Walk, pops) + sizeof(Walk::pops) <= 64);
 
 /// Steps in another direction than the one before.
 int turns_of(const std::vector<std::uint8_t>& directions);

@@ -48,7 +48,7 @@ TEST(HeldPath, OfADraftThatIsNotAdoptedIsForgotten) {
   field.trail.keep_draft();
   const auto deposit_on_draft = [&] {
     ASSERT_TRUE(field.trail.begin_draft(1));
-    for (int ant = 0; ant < 2; ++ant) field.trail.change_draft_along(from, diagonal, 1, 1, true);
+    for (int ant = 0; ant < 2; ++ant) field.trail.deposit_on_draft(from, diagonal, 1, true);
   };
   deposit_on_draft();
   deposit_on_draft();

@@ -8,6 +8,12 @@
 namespace pathrace::algorithms {
 namespace {
 
+void change_draft(Trail& trail, std::size_t first, const std::vector<std::uint8_t>& walk, double factor,
+                  double amount, bool both_ways) {
+  factor == 1 ? trail.deposit_on_draft(first, walk, amount, both_ways)
+              : trail.change_draft_along(first, walk, factor, amount, both_ways);
+}
+
 // While a draft is under way, other threads read copies of the trail's rows; else the rows themselves.
 void expect_copies(const Trail& trail, std::size_t size, bool drafting) {
   const TrailRow* const copies = trail.rows_for_others();
@@ -39,7 +45,7 @@ TEST(TrailDraft, AnAdoptedDraftIsEvaporationAndTheSameChangesBitForBit) {
         const double amount = 4 * stream.uniform();
         const double factor = stream.chance(0.3) ? stream.uniform() : 1;
         plain.trail.change_along(first, walk, factor, amount, both_ways);
-        draft ? drafted.trail.change_draft_along(first, walk, factor, amount, both_ways)
+        draft ? change_draft(drafted.trail, first, walk, factor, amount, both_ways)
               : drafted.trail.change_along(first, walk, factor, amount, both_ways);
       }
       if (draft) drafted.trail.adopt_draft();
@@ -81,7 +87,7 @@ TEST(TrailDraft, ADraftFollowsWhateverElseChangesTheTrail) {
     if (deed == 5) both([&](Trail& trail) { trail.set(first, 5, amount); });
     if (deed == 6) both([&](Trail& trail) { trail.evaporate(0.5); });
     if (deed == 7 && drafted.trail.begin_draft(0.9)) {
-      drafted.trail.change_draft_along(first, walk, 1, amount, true);  // and is not adopted
+      drafted.trail.deposit_on_draft(first, walk, amount, true);  // and is not adopted
     }
     const bool draft = drafted.trail.begin_draft(0.95);
     expect_copies(drafted.trail, end, draft);
@@ -90,7 +96,7 @@ TEST(TrailDraft, ADraftFollowsWhateverElseChangesTheTrail) {
     for (int ant = 0; ant < 4; ++ant) {
       const double factor = round % 3 == 0 && ant == 2 ? 0.9 : 1;
       plain.trail.change_along(first, walk, factor, amount, true);
-      draft ? drafted.trail.change_draft_along(first, walk, factor, amount, true)
+      draft ? change_draft(drafted.trail, first, walk, factor, amount, true)
             : drafted.trail.change_along(first, walk, factor, amount, true);
     }
     expect_copies(drafted.trail, end, draft);
@@ -111,7 +117,7 @@ TEST(TrailDraft, TheSameDirectionsFromAnotherCellAreAnotherPath) {
     plain.trail.evaporate(0.5);
     for (const int y : {0, 1, 2, 2}) {
       plain.trail.change_along(plain.at(0, y), east, 1, 1 + y, true);
-      drafted.trail.change_draft_along(plain.at(0, y), east, 1, 1 + y, true);
+      drafted.trail.deposit_on_draft(plain.at(0, y), east, 1 + y, true);
     }
     drafted.trail.adopt_draft();
     ASSERT_NO_FATAL_FAILURE(expect_same_strengths(drafted, plain)) << round;
@@ -123,7 +129,7 @@ TEST(TrailDraft, ADraftThatIsNotAdoptedChangesNothing) {
   const std::size_t middle = field.at(1, 1);
   field.trail.keep_draft();
   ASSERT_TRUE(field.trail.begin_draft(0.5));
-  field.trail.change_draft_along(middle, std::vector<std::uint8_t>{0}, 1, 3, true);
+  field.trail.deposit_on_draft(middle, std::vector<std::uint8_t>{0}, 3, true);
   EXPECT_EQ(field.trail.pheromone(middle, 0), 1);
   ASSERT_TRUE(field.trail.begin_draft(0.5));
   field.trail.adopt_draft();
