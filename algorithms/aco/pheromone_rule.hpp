@@ -72,6 +72,7 @@ class PheromoneRule {
   /// True: walks know their turns.
   virtual bool counts_turns() const { return false; }
 
+  /// The same throughout a run.
   virtual Imprint imprint() const { return {.persistence = 1 - settings_.evaporation}; }
   /// Not `no`: revise() alters no walk, and learn() changes no pheromone before it calls Colony::imprint.
   /// `amount` and `better` may be called while ants walk.
