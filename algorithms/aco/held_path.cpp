@@ -1,7 +1,5 @@
 #include "algorithms/aco/held_path.hpp"
 
-#include <algorithm>
-
 namespace pathrace::algorithms {
 
 bool HeldPath::another_comes(std::size_t from, std::span<const std::uint8_t> directions, bool both_ways) {

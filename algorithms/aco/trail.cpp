@@ -82,8 +82,7 @@ void Trail::set(std::size_t index, int direction, double value) {
 void Trail::change(std::size_t index, int direction, double factor, double amount) {
   if (!draft_.empty()) changed_.add(index);
   float& tau = stored(index, direction);
-  const float kept = std::max(tau, least_) * static_cast<float>(factor);
-  tau = std::min(std::max(kept + static_cast<float>(amount / scale_), least_), most_);
+  alteration(static_cast<float>(factor), static_cast<float>(amount / scale_), least_, most_)(tau);
   if (!stored_.empty()) rows_[index].strength[static_cast<std::size_t>(direction)] = strength_of(tau);
 }
 

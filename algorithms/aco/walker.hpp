@@ -36,7 +36,7 @@ struct Ground {
   std::uint64_t max_steps = 0;  ///< a walk of more decisions is given up
   bool keep_the_dead = false;   ///< keep the path of ants that did not arrive
   bool keep_popped = false;     ///< keep the steps that were taken back
-  bool count_turns = false;
+  bool count_turns = false;     ///< walks know their turns
 };
 
 /// What all ants of an iteration share.

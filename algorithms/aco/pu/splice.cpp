@@ -1,7 +1,5 @@
 #include "algorithms/aco/pu/splice.hpp"
 
-#include <algorithm>
-
 namespace pathrace::algorithms {
 namespace {
 
@@ -27,22 +25,21 @@ bool Splicer::improve(Walk& learner, const Walk& teacher) {
   for_each_cell(nest_, teacher, [&](std::size_t index, std::uint32_t steps, std::uint32_t diagonals) {
     visits_[index] = {steps + 1, diagonals};
   });
-  const bool shorter = find_joint(learner, teacher);
+  const std::optional<Joint> joint = shortest_joint(learner, teacher);
   for_each_cell(nest_, teacher,
                 [&](std::size_t index, std::uint32_t, std::uint32_t) { visits_[index] = {}; });
-  if (!shorter) return false;
-  learner.directions.resize(joint_.on_learner);
+  if (!joint) return false;
+  learner.directions.resize(joint->on_learner);
   learner.directions.insert(learner.directions.end(),
-                            teacher.directions.begin() + static_cast<std::ptrdiff_t>(joint_.on_teacher),
+                            teacher.directions.begin() + static_cast<std::ptrdiff_t>(joint->on_teacher),
                             teacher.directions.end());
-  learner.length = shortest_;
+  learner.length = joint->length;
   return true;
 }
 
-// True when there is a joint that makes the learner shorter; `joint_` is the first of the best.
-bool Splicer::find_joint(const Walk& learner, const Walk& teacher) {
-  shortest_ = learner.length;
-  bool found = false;
+// The first of the best; nothing when none makes the learner shorter.
+std::optional<Splicer::Joint> Splicer::shortest_joint(const Walk& learner, const Walk& teacher) const {
+  std::optional<Joint> best;
   for_each_cell(nest_, learner, [&](std::size_t index, std::uint32_t steps, std::uint32_t diagonals) {
     const Visit& there = visits_[index];
     if (there.place == 0) return;
@@ -50,12 +47,9 @@ bool Splicer::find_joint(const Walk& learner, const Walk& teacher) {
     const std::uint32_t behind = there.place - 1;
     const auto all = static_cast<std::int64_t>(steps + teacher.directions.size() - behind);
     const LatticeLength length{all - diagonal, diagonal};
-    if (length >= shortest_) return;
-    shortest_ = length;
-    joint_ = {steps, behind};
-    found = true;
+    if (length < (best ? best->length : learner.length)) best = {steps, behind, length};
   });
-  return found;
+  return best;
 }
 
 }  // namespace pathrace::algorithms

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "algorithms/aco/walk.hpp"
@@ -34,14 +35,13 @@ class Splicer {
   struct Joint {
     std::size_t on_learner = 0;  ///< steps before it
     std::size_t on_teacher = 0;
+    LatticeLength length;  ///< of the path that it makes
   };
 
-  bool find_joint(const Walk& learner, const Walk& teacher);
+  std::optional<Joint> shortest_joint(const Walk& learner, const Walk& teacher) const;
 
   const Nest& nest_;
   std::vector<Visit> visits_;  // of the teacher; none between calls
-  Joint joint_;
-  LatticeLength shortest_;
 };
 
 }  // namespace pathrace::algorithms
