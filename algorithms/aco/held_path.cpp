@@ -37,8 +37,9 @@ bool HeldPath::hold(TrailRow* rows, const RowSteps& steps) {
     return seen_[static_cast<std::size_t>(row - first) / floats_per_row];
   };
   const auto along = [&](const auto& take, const auto& visit) {
-    both_ways_ ? for_each_strength<true, true>(start, 0, start, steps, directions_, take, visit)
-               : for_each_strength<false, true>(start, 0, start, steps, directions_, take, visit);
+    const std::span<const std::uint8_t> directions = directions_;
+    both_ways_ ? for_each_strength<true>(start, steps, directions, take, visit)
+               : for_each_strength<false>(start, steps, directions, take, visit);
   };
   where_.clear();
   std::uint8_t twice = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/aco/band.hpp"
 #include "algorithms/aco/power.hpp"
 
 namespace pathrace::algorithms {
@@ -112,18 +113,15 @@ void Trail::change_strengths(CellRange cells, std::size_t index, std::span<const
   const float most = most_;
   const auto kept = static_cast<float>(factor);
   const auto added = static_cast<float>(amount / scale_);
-  float* const first = rows_[cells.begin].strength.data();
-  const std::size_t count = cells.end - cells.begin;
-  const auto go = [&]<bool there_and_back, bool everywhere>(const auto& change) {
-    for_each_strength<there_and_back, everywhere>(first, count, rows_[index].strength.data(), steps_,
-                                                  directions, change, [](const float*) {});
+  float* const row = rows_[index].strength.data();
+  const Band band(rows_.data(), cells.begin, cells.end);
+  const bool everywhere = cells.end - cells.begin == rows_.size();
+  const auto go = [&]<bool there_and_back>(const auto& change) {
+    if (!everywhere) return for_each_strength_of<there_and_back>(band, row, steps_, directions, change);
+    for_each_strength<there_and_back>(row, steps_, directions, change, [](const float*) {});
   };
   const auto along = [&](const auto& change) {
-    if (count < rows_.size()) {
-      both_ways ? go.template operator()<true, false>(change) : go.template operator()<false, false>(change);
-    } else {
-      both_ways ? go.template operator()<true, true>(change) : go.template operator()<false, true>(change);
-    }
+    both_ways ? go.template operator()<true>(change) : go.template operator()<false>(change);
   };
   if (kept == 1 && added >= 0) return along(addition(added, least, most));
   along(alteration(kept, added, least, most));

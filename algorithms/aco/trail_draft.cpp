@@ -70,8 +70,8 @@ void Trail::visit_draft(std::size_t index, std::span<const std::uint8_t> directi
   const auto mark = [add_row = drafted_.adder(), first = draft_[0].strength.data()](const float* visited) {
     add_row(static_cast<std::size_t>(visited - first) / floats_per_row);
   };
-  both_ways ? for_each_strength<true, true>(row, 0, row, steps_, directions, change, mark)
-            : for_each_strength<false, true>(row, 0, row, steps_, directions, change, mark);
+  both_ways ? for_each_strength<true>(row, steps_, directions, change, mark)
+            : for_each_strength<false>(row, steps_, directions, change, mark);
 }
 
 void Trail::adopt_draft() {

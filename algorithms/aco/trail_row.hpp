@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <span>
 
 #include "core/moves.hpp"
@@ -26,11 +27,16 @@ struct RowSteps {
       const auto k = static_cast<std::size_t>(d);
       on[k] = moves.offset(d) * static_cast<std::ptrdiff_t>(floats_per_row);
       back[k] = on[k] + opposite(d);
+      farthest = std::max(farthest, std::abs(on[k]) + direction_count);
     }
   }
 
+  /// How far off, in floats, a strength of `count` steps can be, at the rows they lead to too.
+  std::ptrdiff_t reach(std::size_t count) const { return static_cast<std::ptrdiff_t>(count) * farthest; }
+
   std::array<std::ptrdiff_t, direction_count> on;    ///< to the row it leads to
   std::array<std::ptrdiff_t, direction_count> back;  ///< and there to the step back
+  std::ptrdiff_t farthest = 0;                       ///< of all these
 };
 
 /// Changes a strength, within limits.
@@ -44,23 +50,20 @@ inline auto addition(float added, float least, float most) {
 }
 
 // Calls `visit(row)` for each row of the path, and `change(strength)` for each step, and for each step back
-// when `both_ways`, that leads out of one of the `count` rows from `first` on. `row` is where the path
-// starts. What is called comes by value: a float that is stored could be a limit, if that were only referred
-// to, and limits were then read anew for each step.
-template <bool both_ways, bool everywhere, typename Change, typename Visit>
-void for_each_strength(float* first, std::size_t count, float* row, const RowSteps& steps,
-                       std::span<const std::uint8_t> directions, Change change, Visit visit) {
-  const auto mine = [=](const float* strength) {
-    return everywhere || static_cast<std::size_t>(strength - first) < count * floats_per_row;
-  };
+// when `both_ways`. `row` is where the path starts. What is called comes by value: a float that is stored
+// could be a limit, if that were only referred to, and limits were then read anew for each step. Returns
+// where the path ends.
+template <bool both_ways, std::size_t count, typename Change, typename Visit>
+float* for_each_strength(float* row, const RowSteps& steps, std::span<const std::uint8_t, count> directions,
+                         Change change, Visit visit) {
   for (const std::size_t direction : directions) {
-    float* const back = row + steps.back[direction];
     visit(row);
-    if (mine(row)) change(row[direction]);
-    if (both_ways && mine(back)) change(*back);
+    change(row[direction]);
+    if (both_ways) change(row[steps.back[direction]]);
     row += steps.on[direction];
   }
   visit(row);
+  return row;
 }
 
 }  // namespace pathrace::algorithms
