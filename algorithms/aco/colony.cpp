@@ -111,8 +111,11 @@ void Colony::make_walkers(const Executor& executor) {
     walkers_.emplace_back(groups_.empty() ? *ground_ : *groups_[k]->ground, lanes);
   }
   deposits_.reset();
+  roll_call_.reset();
   const bool may_be_early = rule_.deposits_early() != Early::no && nest_.size() <= cells_worth_a_draft;
-  if (groups_.empty() && count > 1 && may_be_early) deposits_.emplace(rule_, nest_, *trail_, walks_);
+  if (!groups_.empty() || count == 1 || !may_be_early) return;
+  roll_call_.emplace(ants, count);
+  deposits_.emplace(rule_, nest_, *trail_, walks_, *roll_call_);
 }
 
 void Colony::regroup(const std::vector<Taste>& tastes) {
@@ -137,7 +140,8 @@ void Colony::regroup(const std::vector<Taste>& tastes) {
 // The first walker deposits, too. Ants are dealt out in turn, so that they come back nearly in their order.
 std::size_t Colony::walk_all(Context& context, const Stream& stream) {
   const std::size_t batch = context.meter.admitted(walks_.size());
-  const Outing outing{stream, context.meter.checks_left(), context.meter, walks_, ++round_};
+  const Outing outing{stream,   context.meter.checks_left(),        context.meter, walks_,
+                      ++round_, roll_call_ ? &*roll_call_ : nullptr};
   EarlyDeposits* const early = deposits_ ? &*deposits_ : nullptr;
   if (early != nullptr) early->begin(batch, outing.round);
   const auto walk = [&](std::size_t walker, AntQueue& ants) {

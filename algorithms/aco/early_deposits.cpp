@@ -1,25 +1,18 @@
 #include "algorithms/aco/early_deposits.hpp"
 
 #include <algorithm>
-#include <atomic>
 
 #include "core/prefetch.hpp"
 
 namespace pathrace::algorithms {
-namespace {
-
-bool is_back(Walk& walk, std::uint32_t round) {
-  return std::atomic_ref(walk.round).load(std::memory_order_acquire) == round;
-}
-
-}  // namespace
 
 EarlyDeposits::EarlyDeposits(const PheromoneRule& rule, const Nest& nest, Trail& trail,
-                             std::vector<Walk>& walks)
+                             const std::vector<Walk>& walks, const RollCall& roll_call)
     : rule_(rule),
       nest_(nest),
       trail_(trail),
       walks_(walks),
+      roll_call_(roll_call),
       imprint_(rule.imprint()),
       plain_(imprint_.factor == 1 && !imprint_.on_popped),
       until_a_step_back_(rule.deposits_early() == Early::until_a_step_back) {
@@ -42,7 +35,7 @@ void EarlyDeposits::begin(std::size_t ants, std::uint32_t round) {
 void EarlyDeposits::go_on() {
   std::size_t next = tally_.walks;
   std::size_t end = next;
-  for (; end < ants_ && is_back(walks_[end], round_); ++end) prefetch(walks_[end].directions.data());
+  for (; end < ants_ && roll_call_.has(end, round_); ++end) prefetch(walks_[end].directions.data());
   for (; next < end; ++next) {
     const Walk& walk = walks_[next];
     if (until_a_step_back_ && walk.pops > 0) return give_up();

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "algorithms/aco/pheromone_rule.hpp"
+#include "algorithms/aco/roll_call.hpp"
 
 namespace pathrace::algorithms {
 
@@ -19,10 +20,11 @@ namespace pathrace::algorithms {
 class alignas(128) EarlyDeposits {
  public:
   /// Everything outlives this.
-  EarlyDeposits(const PheromoneRule& rule, const Nest& nest, Trail& trail, std::vector<Walk>& walks);
+  EarlyDeposits(const PheromoneRule& rule, const Nest& nest, Trail& trail, const std::vector<Walk>& walks,
+                const RollCall& roll_call);
 
-  /// Ants 0..ants-1 are about to walk in this round. Nothing is done early when no draft can be had, nor for
-  /// a few rounds after the rule's condition has not held.
+  /// Ants 0..ants-1 are about to walk, and sign in this round. Nothing is done early when no draft can be
+  /// had, nor for a few rounds after the rule's condition has not held.
   void begin(std::size_t ants, std::uint32_t round);
   /// Deposits for those that are back and next in order.
   void go_on();
@@ -43,7 +45,8 @@ class alignas(128) EarlyDeposits {
   const PheromoneRule& rule_;
   const Nest& nest_;
   Trail& trail_;
-  std::vector<Walk>& walks_;
+  const std::vector<Walk>& walks_;
+  const RollCall& roll_call_;
   Imprint imprint_;
   bool plain_;  // deposits on paths only
   bool until_a_step_back_;

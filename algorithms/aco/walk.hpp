@@ -23,7 +23,6 @@ struct Step {
 /// deposits for all reads the first one only, unless the rule asks for more.
 struct alignas(128) Walk {
   bool arrived = false;
-  std::uint32_t round = 0;  ///< in which it was walked; written last, for who waits for it on another thread
   std::vector<std::uint8_t>
       directions;               ///< of the path; of an ant that died, only where the rule asks for it
   LatticeLength length;         ///< of the path

@@ -1,12 +1,22 @@
 #include "algorithms/aco/walker.hpp"
 
 #include <algorithm>
-#include <atomic>
+#include <span>
 
 #include "algorithms/aco/choice.hpp"
 #include "core/prefetch.hpp"
 
 namespace pathrace::algorithms {
+namespace {
+
+// Writes nothing where that is the value already: a cache line that is not written stays with all who have
+// read it.
+template <typename T>
+void update(T& kept, const T& value) {
+  if (kept != value) kept = value;
+}
+
+}  // namespace
 
 Walker::Terms::Terms(const Ground& ground, const TrailRow* trail_rows)
     : rows(trail_rows),
@@ -53,22 +63,24 @@ template <bool greedy, bool with_places, bool backs_up, bool far>
 void Walker::run_lanes(AntQueue& ants) {
   const Terms terms(ground_, deposits_ != nullptr ? ground_.trail.rows() : ground_.trail.rows_for_others());
   std::size_t under_way = 0;
+  std::size_t due = lanes_.size();  // so many have to be back for deposits to go on; one at the end
   while (under_way < lanes_.size()) {
     const std::size_t ant = ants.take();
     if (ant == AntQueue::none) break;
     begin(under_way++, ant);
   }
+  std::size_t back = 0;  // since deposits went on last
   while (under_way > 0) {
     draws_.advance(under_way);
-    bool back = false;
     for (std::size_t k = 0; k < under_way;) {
       const Outcome outcome = step<greedy, with_places, backs_up, far>(k, terms);
       if (outcome != Outcome::goes_on) {
         finish(lanes_[k], outcome == Outcome::arrived);
-        back = true;
+        ++back;
         const std::size_t ant = ants.take();
         if (ant == AntQueue::none) {
           --under_way;
+          due = 1;
           std::swap(lanes_[k], lanes_[under_way]);
           draws_.move(under_way, k);
           continue;  // with the lane that has come here
@@ -77,7 +89,10 @@ void Walker::run_lanes(AntQueue& ants) {
       }
       ++k;
     }
-    if (back && deposits_ != nullptr) deposits_->go_on();
+    if (back >= due && deposits_ != nullptr) {
+      deposits_->go_on();
+      back = 0;
+    }
   }
 }
 
@@ -95,26 +110,26 @@ void Walker::begin(std::size_t k, std::size_t ant) {
   lane.pops = 0;
   draws_.set(k, outing_->stream.fork(ant));
   lane.ant = ant;
-  prefetch_to_write(&outing_->walks[ant]);  // the thread that deposits may have read it, and the path
-  prefetch_to_write(paths_[ant]);
+  prefetch(&outing_->walks[ant]);  // its last walk, which this one is compared with
+  prefetch(paths_[ant]);
   lane.popped.clear();
   if (!lane.place.empty()) lane.place[lane.cell] = 1;
 }
 
 void Walker::finish(Lane& lane, bool arrived) {
   Walk& walk = outing_->walks[lane.ant];
-  walk.arrived = arrived;
-  walk.decisions = lane.decisions();
-  walk.pops = lane.pops;
-  walk.directions.clear();
-  if (arrived || ground_.keep_the_dead) {
-    walk.directions.assign(lane.first, lane.next);
+  update(walk.arrived, arrived);
+  update(walk.decisions, lane.decisions());
+  update(walk.pops, lane.pops);
+  const std::span<const std::uint8_t> path(lane.first, arrived || ground_.keep_the_dead ? lane.length() : 0);
+  if (!std::equal(path.begin(), path.end(), walk.directions.begin(), walk.directions.end())) {
+    walk.directions.assign(path.begin(), path.end());
   }
   paths_[lane.ant] = walk.directions.data();
-  walk.length = length_of(walk.directions);
-  if (ground_.count_turns) walk.turns = turns_of(walk.directions);
-  if (ground_.keep_popped) walk.popped = lane.popped;
-  std::atomic_ref(walk.round).store(outing_->round, std::memory_order_release);
+  update(walk.length, length_of(walk.directions));
+  if (ground_.count_turns) update(walk.turns, turns_of(walk.directions));
+  if (ground_.keep_popped && (lane.pops > 0 || !walk.popped.empty())) walk.popped = lane.popped;
+  if (outing_->roll_call != nullptr) outing_->roll_call->sign(lane.ant, outing_->round);
   if (lane.place.empty()) return;
   std::size_t cell = ground_.nest.start();
   lane.place[cell] = 0;

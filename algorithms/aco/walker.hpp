@@ -19,6 +19,7 @@
 #include "algorithms/aco/dead_end.hpp"
 #include "algorithms/aco/early_deposits.hpp"
 #include "algorithms/aco/nest.hpp"
+#include "algorithms/aco/roll_call.hpp"
 #include "algorithms/aco/trail.hpp"
 #include "algorithms/aco/walk.hpp"
 #include "algorithms/draws.hpp"
@@ -44,8 +45,9 @@ struct Outing {
   const Stream& stream;      ///< ant i draws from stream.fork(i)
   std::uint64_t step_limit;  ///< decisions of an ant
   const Meter& meter;
-  std::vector<Walk>& walks;  ///< a slot per ant
-  std::uint32_t round = 0;   ///< what Walk::round is set to
+  std::vector<Walk>& walks;       ///< a slot per ant
+  std::uint32_t round = 0;        ///< in which those who are back sign
+  RollCall* roll_call = nullptr;  ///< where they sign, if somebody waits for them
 };
 
 /// Runs ants one after another or side by side. Not for use by two threads at once.

@@ -42,7 +42,7 @@ class EarlyDepositsTest : public ::testing::Test {
     }
   }
 
-  void come_back(std::size_t ant, std::uint32_t round) { walks[ant].round = round; }
+  void come_back(std::size_t ant, std::uint32_t round) { roll_call.sign(ant, round); }
 
   // Evaporation, then deposits of the first `count` ants, as the equations have them.
   Trail after(std::size_t count) {
@@ -71,7 +71,8 @@ class EarlyDepositsTest : public ::testing::Test {
   Nest nest{{grid, MoveRule::strict, {0, 0}, {5, 0}}};
   Trail trail{nest.moves(), 1, 1, 1, eta};
   std::vector<Walk> walks;
-  EarlyDeposits deposits{rule, nest, trail, walks};
+  RollCall roll_call{4, 2};
+  EarlyDeposits deposits{rule, nest, trail, walks, roll_call};
 };
 
 TEST_F(EarlyDepositsTest, GoAsFarAsAntsAreBackWithoutAGap) {
@@ -164,7 +165,7 @@ TEST_F(EarlyDepositsTest, MayWearTheTrailOffAndCountTheDeadAndStepsTakenBack) {
   walks[1].arrived = false;
   walks[2].popped = {{static_cast<std::uint32_t>(nest.start()), 2},
                      {static_cast<std::uint32_t>(grid.index({1, 1})), 7}};
-  EarlyDeposits wear(rule, nest, trail, walks);
+  EarlyDeposits wear(rule, nest, trail, walks, roll_call);
   wear.begin(4, 1);
   for (std::size_t k = 0; k < 4; ++k) come_back(k, 1);
   ASSERT_TRUE(wear.finish(4));
@@ -180,7 +181,7 @@ TEST_F(EarlyDepositsTest, MayWearTheTrailOffAndCountTheDeadAndStepsTakenBack) {
 
 TEST_F(EarlyDepositsTest, AreGivenUpAtTheFirstStepBackWhereTheRuleAsksForThat) {
   rule.early = Early::until_a_step_back;
-  EarlyDeposits careful(rule, nest, trail, walks);
+  EarlyDeposits careful(rule, nest, trail, walks, roll_call);
   walks[2].pops = 1;
   careful.begin(4, 1);
   for (std::size_t k = 0; k < 4; ++k) come_back(k, 1);
@@ -196,7 +197,7 @@ TEST_F(EarlyDepositsTest, AreGivenUpAtTheFirstStepBackWhereTheRuleAsksForThat) {
 // next time counts as the first.
 TEST_F(EarlyDepositsTest, PauseForLongerAndLongerWhereStepsBackGoOn) {
   rule.early = Early::until_a_step_back;
-  EarlyDeposits careful(rule, nest, trail, walks);
+  EarlyDeposits careful(rule, nest, trail, walks, roll_call);
   std::uint32_t round = 0;
   const auto tried = [&](std::uint64_t pops) {
     walks[0].pops = pops;
@@ -226,7 +227,7 @@ TEST_F(EarlyDepositsTest, PauseForLongerAndLongerWhereStepsBackGoOn) {
 
 TEST_F(EarlyDepositsTest, OthersReadTheTrailItselfDuringAPause) {
   rule.early = Early::until_a_step_back;
-  EarlyDeposits careful(rule, nest, trail, walks);
+  EarlyDeposits careful(rule, nest, trail, walks, roll_call);
   walks[0].pops = 1;
   careful.begin(1, 1);
   EXPECT_NE(trail.rows_for_others(), trail.rows());

@@ -56,6 +56,12 @@ struct Field {
   Trail trail;
 };
 
+struct PlainRule final : PheromoneRule {
+  using PheromoneRule::PheromoneRule;
+  double initial_pheromone(const Scout& /*scout*/) const override { return 1; }
+  void learn(Colony& /*colony*/, const Harvest& /*harvest*/) override {}
+};
+
 TEST(Walker, NeverStepsOnACellTwiceAndArrivesWithItsExactLength) {
   const Field field(grid_of({".....", ".....", ".....", ".....", "....."}), MoveRule::strict, {0, 0}, {4, 4});
   int arrived = 0;
@@ -134,16 +140,42 @@ TEST(Walker, StepsTakenBackAreListedInTheirOrder) {
   EXPECT_EQ(walk.directions, (std::vector<std::uint8_t>{0, 0}));
 }
 
-TEST(Walker, WritesTheRoundOnEveryWalkItHasFinished) {
+TEST(Walker, EveryAntThatIsBackSigns) {
   const Field field(grid_of({"...", "..."}), MoveRule::strict, {0, 0}, {2, 1});
   const Ground ground = field.ground(DeadEnd::die);
   std::vector<Walk> walks(5);
   AntQueue queue(1, 5);
   const Stream stream(1);
   const Meter meter({});
-  Walker(ground, 2).run(queue, {stream, no_limit, meter, walks, 9});
-  EXPECT_EQ(walks[0].round, 0U);
-  for (std::size_t k = 1; k < walks.size(); ++k) EXPECT_EQ(walks[k].round, 9U);
+  RollCall roll_call(5, 1);
+  Walker(ground, 2).run(queue, {stream, no_limit, meter, walks, 9, &roll_call});
+  EXPECT_FALSE(roll_call.has(0, 9));
+  for (std::size_t k = 1; k < walks.size(); ++k) EXPECT_TRUE(roll_call.has(k, 9)) << k;
+}
+
+// A walk is written only where it differs from the one before in its slot; whatever that was, the new one is
+// all there.
+TEST(Walker, WhatAWalkWasBeforeDoesNotShow) {
+  const Field field(grid_of({"....", ".#..", "...#", "...."}), MoveRule::free, {0, 0}, {3, 3});
+  for (const DeadEnd dead_end : {DeadEnd::die, DeadEnd::backtrack, DeadEnd::revisit_with_loop_erasure}) {
+    Ground ground = field.ground(dead_end);
+    ground.keep_popped = ground.count_turns = true;
+    Walker walker(ground, 3);
+    const Meter meter({});
+    std::vector<Walk> again(20);
+    for (const std::uint64_t seed : {1U, 1U, 2U, 3U, 3U}) {
+      const Stream stream(seed);
+      const Outing outing{stream, no_limit, meter, again, 1};
+      AntQueue queue(0, again.size());
+      walker.run(queue, outing);
+      std::vector<Walk> fresh(again.size());
+      AntQueue other_queue(0, fresh.size());
+      Walker(ground, 3).run(other_queue, {stream, no_limit, meter, fresh, 1});
+      EXPECT_EQ(again, fresh) << seed;
+      for (std::size_t k = 0; k < again.size(); k += 3)
+        again[k].directions = {0, 0, 2};  // somebody changes it
+    }
+  }
 }
 
 // A draft's copies and the trail differ only in where they are; here they are made to differ in what they
@@ -160,14 +192,11 @@ TEST(Walker, ReadsTheCopiesForOthersUnlessItDeposits) {
     }
   };
   constexpr int east = 0;
-  ColonySettings settings;
-  struct Rule final : PheromoneRule {
-    using PheromoneRule::PheromoneRule;
-    double initial_pheromone(const Scout& /*scout*/) const override { return 1; }
-    void learn(Colony& /*colony*/, const Harvest& /*harvest*/) override {}
-  } rule(settings);
+  const ColonySettings settings;
+  const PlainRule rule(settings);
   std::vector<Walk> walks(1);
-  EarlyDeposits deposits(rule, field.nest, field.trail, walks);
+  const RollCall roll_call(1, 1);
+  EarlyDeposits deposits(rule, field.nest, field.trail, walks, roll_call);
   prefer(east, 1e9);
   ASSERT_TRUE(field.trail.begin_draft(0.5));
   prefer(east, 1e-9);
@@ -181,6 +210,46 @@ TEST(Walker, ReadsTheCopiesForOthersUnlessItDeposits) {
   };
   EXPECT_EQ(first_step(nullptr), east);
   EXPECT_NE(first_step(&deposits), east);
+}
+
+// However many lanes and ants there are, and although deposits wait until a few ants are back.
+TEST(Walker, WhenItsLastAntIsBackSoAreAllDeposits) {
+  Field field(grid_of({"...", "...", "..."}), MoveRule::four, {0, 0}, {2, 2});
+  const ColonySettings settings;
+  const PlainRule rule(settings);
+  const Ground ground = field.ground(DeadEnd::backtrack);
+  const Stream stream(3);
+  const Meter meter({});
+  for (std::size_t ants = 1; ants <= 9; ++ants) {
+    std::vector<Walk> walks(ants);
+    RollCall roll_call(ants, 1);
+    EarlyDeposits deposits(rule, field.nest, field.trail, walks, roll_call);
+    deposits.begin(ants, 1);
+    AntQueue queue(0, ants);
+    Walker(ground, 4).run(queue, {stream, no_limit, meter, walks, 1, &roll_call}, &deposits);
+    EXPECT_EQ(deposits.tally().walks, ants);
+  }
+}
+
+TEST(Walker, TheDeadLeaveNoPathUnlessTheyAreAskedTo) {
+  const Field field(grid_of({"....", ".#..", "...#", "...."}), MoveRule::strict, {0, 0}, {3, 3});
+  for (const bool asked : {true, false}) {
+    Ground ground = field.ground(DeadEnd::die);
+    ground.keep_the_dead = asked;
+    std::vector<Walk> walks(40);
+    AntQueue queue(0, walks.size());
+    const Stream stream(3);
+    const Meter meter({});
+    Walker(ground, 4).run(queue, {stream, no_limit, meter, walks});
+    std::size_t dead = 0;
+    for (const Walk& walk : walks) {
+      if (walk.arrived) continue;
+      ++dead;
+      EXPECT_EQ(walk.directions.empty(), !asked);
+      EXPECT_EQ(walk.length, length_of(walk.directions));
+    }
+    EXPECT_GT(dead, 0U);
+  }
 }
 
 TEST(Walker, StopsAtTheStepLimit) {
