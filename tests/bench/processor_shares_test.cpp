@@ -1,0 +1,172 @@
+// Threads of a team find processors of their own; nobody else is moved for good.
+#include "bench/executors/processor_shares.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "bench/executors.hpp"
+
+namespace pathrace::bench {
+namespace {
+
+using Processors = std::set<int>;
+
+// Those that a thread may run on; 0 is the calling one, and who has ended may run nowhere.
+Processors allowed(pid_t thread = 0) {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  if (sched_getaffinity(thread, sizeof set, &set) != 0) return {};
+  Processors processors;
+  for (int k = 0; k < CPU_SETSIZE; ++k) {
+    if (CPU_ISSET(k, &set)) processors.insert(k);
+  }
+  return processors;
+}
+
+void in_a_thread_of_its_own(const std::function<void()>& body) {
+  std::thread(body).join();
+}
+
+// Of two shares, the k-th.
+Processors share_of(int k) {
+  Processors share;
+  in_a_thread_of_its_own([&] {
+    ProcessorShares(2).settle(k);
+    share = allowed();
+  });
+  return share;
+}
+
+Processors union_of(const std::vector<Processors>& sets) {
+  Processors all;
+  for (const Processors& set : sets) all.insert(set.begin(), set.end());
+  return all;
+}
+
+std::size_t sum_of_sizes(const std::vector<Processors>& sets) {
+  std::size_t sum = 0;
+  for (const Processors& set : sets) sum += set.size();
+  return sum;
+}
+
+TEST(ProcessorShares, AreDisjointAndTogetherAllProcessors) {
+  const Processors all = allowed();
+  for (int threads = 1; threads <= static_cast<int>(all.size()); ++threads) {
+    const ProcessorShares shares(threads);
+    EXPECT_TRUE(shares.exist());
+    std::vector<Processors> share(static_cast<std::size_t>(threads));
+    for (int k = 0; k < threads; ++k) {
+      in_a_thread_of_its_own([&] {
+        shares.settle(k);
+        EXPECT_TRUE(shares.here(k));
+        share[static_cast<std::size_t>(k)] = allowed();
+      });
+    }
+    EXPECT_EQ(union_of(share), all) << threads;
+    EXPECT_EQ(sum_of_sizes(share), all.size()) << threads;
+    for (const Processors& one : share) EXPECT_FALSE(one.empty()) << threads;
+  }
+}
+
+TEST(ProcessorShares, ThereAreNoneWhereThreadsOutnumberProcessors) {
+  const Processors all = allowed();
+  const ProcessorShares shares(static_cast<int>(all.size()) + 1);
+  EXPECT_FALSE(shares.exist());
+  in_a_thread_of_its_own([&] {
+    shares.settle(0);
+    shares.go_to(1);
+    EXPECT_EQ(allowed(), all);
+  });
+}
+
+TEST(ProcessorShares, WhoGoesToOneIsThereAndMayBeMovedOn) {
+  const Processors all = allowed();
+  const auto threads = static_cast<int>(all.size());
+  const ProcessorShares shares(threads);
+  in_a_thread_of_its_own([&] {
+    for (int k = 0; k < threads; ++k) {
+      bool there = false;  // the scheduler may move it on at once
+      for (int attempt = 0; attempt < 100 && !there; ++attempt) {
+        shares.go_to(k);
+        there = shares.here(k);
+      }
+      EXPECT_TRUE(there) << k;
+      EXPECT_EQ(allowed(), all) << k;
+    }
+  });
+}
+
+// Threads of this process that may run on just these.
+std::set<std::string> threads_on(const Processors& processors) {
+  std::set<std::string> threads;
+  for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
+    const std::string id = task.path().filename();
+    if (allowed(std::stoi(id)) == processors) threads.insert(id);
+  }
+  return threads;
+}
+
+// Before the first loop, which might be over before they had started.
+TEST(ProcessorShares, ThreadsOfANewOpenMpExecutorAreAtTheirPlaces) {
+  if (allowed().size() < 2) GTEST_SKIP() << "needs two processors";
+  in_a_thread_of_its_own([] {
+    const Processors share = share_of(1);
+    const std::set<std::string> before = threads_on(share);
+    const std::unique_ptr<Executor> executor = make_executor("openmp", 2);
+    const std::set<std::string> after = threads_on(share);
+    EXPECT_TRUE(std::any_of(after.begin(), after.end(),
+                            [&before](const std::string& id) { return !before.contains(id); }));
+  });
+}
+
+TEST(ProcessorShares, WhoOpensAnOpenMpRegionLeavesTheProcessorsOfTheOthers) {
+  if (allowed().size() < 2) GTEST_SKIP() << "needs two processors";
+  in_a_thread_of_its_own([] {
+    const ProcessorShares shares(2);
+    const std::unique_ptr<Executor> executor = make_executor("openmp", 2);
+    int left = 0;
+    for (int attempt = 0; attempt < 50; ++attempt) {
+      shares.go_to(1);
+      executor->with_team([&] { left += shares.here(0) ? 1 : 0; });
+    }
+    EXPECT_GT(left, 40);  // the scheduler may have moved it back
+  });
+}
+
+// From its first loop on, in a team and without.
+TEST(ProcessorShares, KeepThreadsOfAnOpenMpExecutorApart) {
+  const Processors all = allowed();
+  if (all.size() < 2) GTEST_SKIP() << "needs two processors";
+  in_a_thread_of_its_own([&all] {
+    const std::unique_ptr<Executor> executor = make_executor("openmp", 2);
+    const auto caller = std::this_thread::get_id();
+    const auto processors_of_the_other = [&] {
+      std::vector<Processors> others(2);
+      std::atomic<int> present{0};
+      for_each_index(*executor, 2, 1, [&](std::size_t k) {
+        for (++present; present < 2;) std::this_thread::yield();
+        if (std::this_thread::get_id() != caller) others[k] = allowed();
+      });
+      return union_of(others);
+    };
+    const auto check = [&] {
+      EXPECT_EQ(processors_of_the_other(), share_of(1));
+      EXPECT_EQ(allowed(), all);
+    };
+    check();
+    executor->with_team(check);
+    EXPECT_EQ(allowed(), all);
+  });
+}
+
+}  // namespace
+}  // namespace pathrace::bench
