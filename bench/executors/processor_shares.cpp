@@ -2,39 +2,33 @@
 
 namespace pathrace::bench {
 
-ProcessorShares::ProcessorShares(int threads) : threads_(threads) {
-  CPU_ZERO(&processors_);
-  exist_ = sched_getaffinity(0, sizeof processors_, &processors_) == 0 && CPU_COUNT(&processors_) >= threads;
+ProcessorShares::ProcessorShares(int threads) {
+  cpu_set_t processors;
+  CPU_ZERO(&processors);
+  if (sched_getaffinity(0, sizeof processors, &processors) != 0 || CPU_COUNT(&processors) < threads) return;
+  cpu_set_t none;
+  CPU_ZERO(&none);
+  shares_.assign(static_cast<std::size_t>(threads), none);
+  std::size_t next = 0;
+  for (int processor = 0; processor < CPU_SETSIZE; ++processor) {
+    if (CPU_ISSET(processor, &processors)) CPU_SET(processor, &shares_[next++ % shares_.size()]);
+  }
 }
 
 bool ProcessorShares::here(int k) const {
-  const cpu_set_t mine = share(k);
   const int processor = sched_getcpu();
-  return processor >= 0 && CPU_ISSET(processor, &mine);
+  return exist() && processor >= 0 && CPU_ISSET(processor, &share(k));
 }
 
 void ProcessorShares::settle(int k) const {
-  if (!exist_) return;
-  const cpu_set_t mine = share(k);
-  sched_setaffinity(0, sizeof mine, &mine);
+  if (exist()) sched_setaffinity(0, sizeof share(k), &share(k));
 }
 
 void ProcessorShares::go_to(int k) const {
   cpu_set_t before;
-  if (!exist_ || here(k) || sched_getaffinity(0, sizeof before, &before) != 0) return;
+  if (!exist() || here(k) || sched_getaffinity(0, sizeof before, &before) != 0) return;
   settle(k);
   sched_setaffinity(0, sizeof before, &before);
-}
-
-cpu_set_t ProcessorShares::share(int k) const {
-  cpu_set_t share;
-  CPU_ZERO(&share);
-  int count = 0;
-  for (int processor = 0; processor < CPU_SETSIZE; ++processor) {
-    if (!CPU_ISSET(processor, &processors_)) continue;
-    if (count++ % threads_ == k) CPU_SET(processor, &share);
-  }
-  return share;
 }
 
 }  // namespace pathrace::bench

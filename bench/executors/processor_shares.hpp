@@ -7,6 +7,9 @@
 
 #include <sched.h>
 
+#include <cstddef>
+#include <vector>
+
 namespace pathrace::bench {
 
 /// Of the processors that a thread may run on, every `threads`-th is one share. Where there are fewer
@@ -17,8 +20,8 @@ class ProcessorShares {
   explicit ProcessorShares(int threads);
 
   /// Whether there are shares.
-  bool exist() const { return exist_; }
-  /// Whether the calling thread is on share `k` at the moment, if there are shares.
+  bool exist() const { return !shares_.empty(); }
+  /// Whether the calling thread is on share `k` at the moment. False when there are none.
   bool here(int k) const;
   /// The calling thread moves to share `k`, 0..threads-1, and stays there for good.
   void settle(int k) const;
@@ -26,11 +29,9 @@ class ProcessorShares {
   void go_to(int k) const;
 
  private:
-  cpu_set_t share(int k) const;
+  const cpu_set_t& share(int k) const { return shares_[static_cast<std::size_t>(k)]; }
 
-  int threads_;
-  bool exist_ = false;
-  cpu_set_t processors_;
+  std::vector<cpu_set_t> shares_;
 };
 
 }  // namespace pathrace::bench

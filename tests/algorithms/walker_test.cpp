@@ -172,8 +172,8 @@ TEST(Walker, WhatAWalkWasBeforeDoesNotShow) {
       AntQueue other_queue(0, fresh.size());
       Walker(ground, 3).run(other_queue, {stream, no_limit, meter, fresh, 1});
       EXPECT_EQ(again, fresh) << seed;
-      for (std::size_t k = 0; k < again.size(); k += 3)
-        again[k].directions = {0, 0, 2};  // somebody changes it
+      // Somebody changes a few of them.
+      for (std::size_t k = 0; k < again.size(); k += 3) again[k].directions = {0, 0, 2};
     }
   }
 }

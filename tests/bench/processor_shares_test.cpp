@@ -80,6 +80,7 @@ TEST(ProcessorShares, ThereAreNoneWhereThreadsOutnumberProcessors) {
   const Processors all = allowed();
   const ProcessorShares shares(static_cast<int>(all.size()) + 1);
   EXPECT_FALSE(shares.exist());
+  EXPECT_FALSE(shares.here(0));
   in_a_thread_of_its_own([&] {
     shares.settle(0);
     shares.go_to(1);
