@@ -1,4 +1,7 @@
-// An arena of its own size per executor; one task per chunk, stolen by whoever is idle.
+// An arena of its own size per executor. Outside of a team, one task per chunk, stolen by whoever is idle. A
+// team's helpers are tasks that last as long as the team: to call a worker for each loop would cost some
+// microseconds, and some tens of them once it sleeps. The leader stays outside of the arena, so that what it
+// runs stays on its thread even when the arena is full, and waits for nobody who has not come.
 //
 // Traps: the arena's size asks for workers, the process-wide limit grants them, and that limit starts at
 // the number of cores the main thread may run on. With OMP_PROC_BIND, or a main thread pinned before the
@@ -6,6 +9,9 @@
 // LEAST counts, so there is a single one, above what all arenas together ask for. It lifts the limit, but
 // workers still inherit the mask of a pinned thread: how many threads really ran is the census's to say,
 // on how many cores is not.
+//
+// A worker may start others, and they would inherit its processors: it goes to its share
+// (processor_shares.hpp), but is not kept there.
 //
 // While it waits for an inner loop, a thread would by default take another chunk of the outer one, on top
 // of the one it has not finished; `isolate` keeps it to the inner loop.
@@ -15,8 +21,12 @@
 #include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
 
+#include <atomic>
+#include <memory>
+
 #include "bench/executors.hpp"
-#include "bench/executors/chunks.hpp"
+#include "bench/executors/processor_shares.hpp"
+#include "bench/executors/team_executor.hpp"
 
 namespace pathrace::bench {
 namespace {
@@ -27,19 +37,25 @@ void lift_the_limit_on_workers() {
                                          arenas_at_full_size * max_threads);
 }
 
-class TbbExecutor final : public Executor {
+class TbbExecutor final : public TeamExecutor {
  public:
-  explicit TbbExecutor(int threads) : threads_(threads), arena_(threads) { lift_the_limit_on_workers(); }
+  explicit TbbExecutor(int threads) : TeamExecutor(threads), arena_(threads), shares_(threads) {
+    lift_the_limit_on_workers();
+    start();
+  }
 
   std::string_view name() const override { return "tbb"; }
-  int threads() const override { return threads_; }
 
  private:
-  void run_chunks(std::size_t count, std::size_t grain, ChunkBody body) override {
-    Chunks chunks(count, grain, body, census_);
-    if (threads_ == 1 || chunks.size() == 1) return chunks.run_inline();
+  // A team that stays as long as somebody is still to come.
+  struct Gathering : Team, std::enable_shared_from_this<Gathering> {
+    ProcessorShares shares;  // none, if nobody is to be moved
+    std::atomic<int> present{0};
+  };
+
+  void run_apart(Chunks& chunks) override {
     const auto run_range = [&chunks](const tbb::blocked_range<std::size_t>& range) {
-      for (std::size_t k = range.begin(); k < range.end(); ++k) chunks.run(k);
+      for (std::size_t k = range.begin(); k < range.end(); ++k) TeamExecutor::run_apart(chunks, k);
     };
     const auto loop = [&] {
       // The simple partitioner keeps every chunk on offer to other threads.
@@ -47,11 +63,37 @@ class TbbExecutor final : public Executor {
                         tbb::simple_partitioner{});
     };
     arena_.execute([&loop] { tbb::this_task_arena::isolate(loop); });
-    chunks.rethrow();
   }
 
-  int threads_;
+  void gather(const Lead& lead) override {
+    const auto gathering = std::make_shared<Gathering>();
+    if (outermost()) gathering->shares = shares_;
+    lead_team(*gathering, lead);
+  }
+
+  void call_helpers(Team& team) override {
+    auto& gathering = static_cast<Gathering&>(team);
+    gathering.shares.go_to(0);
+    for (int k = 1; k < threads(); ++k) {
+      arena_.enqueue([kept = gathering.shared_from_this(), k, executor = this] {
+        kept->shares.go_to(k);
+        ++kept->present;
+        serve(*kept, executor);
+      });
+    }
+  }
+
+  // Starts workers and lets each of them find its share: the first trial is not to wait for that.
+  void start() {
+    if (threads() == 1 || !shares_.exist() || !outermost()) return;
+    gather([this](Team& team) {
+      call_helpers(team);
+      wait_for(static_cast<Gathering&>(team).present, threads() - 1);
+    });
+  }
+
   tbb::task_arena arena_;
+  ProcessorShares shares_;
 };
 
 }  // namespace

@@ -88,6 +88,24 @@ TEST_P(ExecutorWithTeam, LoopsOfAnotherExecutorGetItsThreadsInsideOfATeam) {
   EXPECT_EQ(inner->threads_used(), inner->threads());
 }
 
+TEST_P(ExecutorWithTeam, ItsLoopsGetTheTeamAlsoInsideOfATeamOfAnother) {
+  const std::unique_ptr<Executor> inner = another();
+  executor().restart_census();
+  executor().with_team([&] {
+    inner->with_team([&] { for_each_index(*inner, 1, 1, [&](std::size_t) { rendezvous(executor()); }); });
+  });
+  EXPECT_EQ(executor().threads_used(), executor().threads());
+}
+
+// Helpers that come when everything is over.
+TEST_P(ExecutorWithTeam, ATeamMayBeLetGoAndItsExecutorEndBeforeAnybodyHasCome) {
+  for (int round = 0; round < 200; ++round) {
+    int calls = 0;
+    another()->with_team([&] { ++calls; });
+    ASSERT_EQ(calls, 1);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Executors, ExecutorWithTeam, executors_and_threads(), test_name);
 
 }  // namespace

@@ -123,17 +123,95 @@ TEST(ProcessorShares, ThreadsOfANewOpenMpExecutorAreAtTheirPlaces) {
   });
 }
 
-TEST(ProcessorShares, WhoOpensAnOpenMpRegionLeavesTheProcessorsOfTheOthers) {
-  if (allowed().size() < 2) GTEST_SKIP() << "needs two processors";
+class TeamOnShares : public ::testing::TestWithParam<std::string> {
+ protected:
+  void SetUp() override {
+    if (allowed().size() < 2) GTEST_SKIP() << "needs two processors";
+  }
+};
+
+TEST_P(TeamOnShares, WhoGathersItLeavesTheProcessorsOfTheOthers) {
   in_a_thread_of_its_own([] {
     const ProcessorShares shares(2);
-    const std::unique_ptr<Executor> executor = make_executor("openmp", 2);
+    const std::unique_ptr<Executor> executor = make_executor(GetParam(), 2);
     int left = 0;
     for (int attempt = 0; attempt < 50; ++attempt) {
       shares.go_to(1);
-      executor->with_team([&] { left += shares.here(0) ? 1 : 0; });
+      executor->with_team([&] {
+        for_each_index(*executor, 2, 1, [](std::size_t) {});
+        left += shares.here(0) ? 1 : 0;
+      });
     }
     EXPECT_GT(left, 40);  // the scheduler may have moved it back
+  });
+}
+
+// Also when the helper comes from where the leader is.
+TEST_P(TeamOnShares, ItsHelperIsNotOnTheProcessorOfItsLeader) {
+  const Processors all = allowed();
+  in_a_thread_of_its_own([&all] {
+    const ProcessorShares shares(2);
+    const std::unique_ptr<Executor> executor = make_executor(GetParam(), 2);
+    const auto leader = std::this_thread::get_id();
+    int apart = 0;
+    for (int attempt = 0; attempt < 50; ++attempt) {
+      std::atomic<int> present{0};
+      std::atomic<bool> helper_apart{false};
+      executor->with_team([&] {
+        for_each_index(*executor, 2, 1, [&](std::size_t) {
+          const bool helps = std::this_thread::get_id() != leader;
+          if (helps) helper_apart = shares.here(1);
+          for (++present; present < 2;) std::this_thread::yield();
+          if (helps) shares.go_to(0);
+        });
+      });
+      apart += helper_apart ? 1 : 0;
+    }
+    EXPECT_GT(apart, 40);
+    EXPECT_EQ(allowed(), all);
+  });
+}
+
+// There others have their places already.
+TEST_P(TeamOnShares, InsideOfALoopNobodyIsMoved) {
+  in_a_thread_of_its_own([] {
+    const ProcessorShares shares(2);
+    const std::unique_ptr<Executor> outer = make_executor(GetParam(), 2);
+    int stayed = 0;
+    for (int attempt = 0; attempt < 50; ++attempt) {
+      std::atomic<int> at_their_place{0};
+      for_each_index(*outer, 2, 1, [&](std::size_t) {
+        const std::unique_ptr<Executor> inner = make_executor(GetParam(), 2);
+        shares.go_to(1);
+        inner->with_team([&] {
+          for_each_index(*inner, 2, 1, [](std::size_t) {});
+          at_their_place += shares.here(1) ? 1 : 0;
+        });
+      });
+      stayed += at_their_place;
+    }
+    EXPECT_GT(stayed, 60);  // of 100; the scheduler may have moved some
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(ProcessorShares, TeamOnShares, ::testing::Values("openmp", "tbb"),
+                         [](const auto& backend) { return backend.param; });
+
+// A worker that is bound would bind those whom it starts.
+TEST(ProcessorShares, AThreadOfATbbTeamMayRunAnywhere) {
+  const Processors all = allowed();
+  if (all.size() < 2) GTEST_SKIP() << "needs two processors";
+  in_a_thread_of_its_own([&all] {
+    const std::unique_ptr<Executor> executor = make_executor("tbb", 2);
+    std::vector<Processors> seen(2);
+    std::atomic<int> present{0};
+    executor->with_team([&] {
+      for_each_index(*executor, 2, 1, [&](std::size_t k) {
+        for (++present; present < 2;) std::this_thread::yield();
+        seen[k] = allowed();
+      });
+    });
+    EXPECT_EQ(seen, std::vector<Processors>(2, all));
   });
 }
 
