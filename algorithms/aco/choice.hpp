@@ -91,14 +91,20 @@ inline int uniform_choice(unsigned mask, float u) {
   return std::countr_zero(mask);
 }
 
-/// The direction that a roulette's masks decide: the first of those with a weight that lie above the point.
-/// no_choice when no direction has a weight; and no branch to tell, since nobody could predict it.
-inline int first_or_last(unsigned above, unsigned weighty) {
+/// The directions that a roulette's masks leave, of which the first is its choice: those with a weight that
+/// lie above the point, or the last with a weight. None when no direction has one; and no branch to tell,
+/// since nobody could predict it.
+inline unsigned left_by(unsigned above, unsigned weighty) {
   const unsigned candidates = above & weighty;
   const unsigned lost_to_round_off = weighty & (candidates - 1) >> 8;  // all ones >> 8 when there are none
   if (lost_to_round_off != 0) [[unlikely]]
-    return static_cast<int>(std::bit_width(weighty)) - 1;
-  return std::countr_zero(candidates | 1U << static_cast<unsigned>(no_choice));
+    return std::bit_floor(weighty);
+  return candidates;
+}
+
+/// The first direction of a mask, or no_choice.
+inline int first_of(unsigned mask) {
+  return std::countr_zero(mask | 1U << static_cast<unsigned>(no_choice));
 }
 
 namespace scalar {
@@ -135,7 +141,7 @@ inline int roulette(const Weights& weights, float u) {
     above |= static_cast<unsigned>(sums[d] > point) << d;
     weighty |= static_cast<unsigned>(weights[d] > 0) << d;
   }
-  return first_or_last(above, weighty);
+  return first_of(left_by(above, weighty));
 }
 
 inline unsigned best(const Weights& weights) {
@@ -151,6 +157,13 @@ inline unsigned best(const Weights& weights) {
 /// Eq. (1): a direction, or no_choice when no weight is left.
 inline int choose(const ChoicePoint& at, std::uint64_t bits) {
   return roulette(weights(at), upper_uniform(bits));
+}
+
+/// Directions of which the first is that of `choose`; none when no weight is left. For who can use a mask,
+/// and waits for it.
+inline unsigned choose_soon(const ChoicePoint& at, std::uint64_t bits) {
+  const int choice = choose(at, bits);
+  return choice == no_choice ? 0 : 1U << static_cast<unsigned>(choice);
 }
 
 /// The best step with probability q0, else eq. (1). The upper bits of the draw decide which.
@@ -197,15 +210,30 @@ inline unsigned mask_of(__m256 x) {
   return static_cast<unsigned>(_mm256_movemask_ps(x));
 }
 
-inline int roulette(__m256 weights, float u) {
+inline __m256 prefix_sums(__m256 weights) {
   __m256 sums = _mm256_add_ps(weights, shifted<4>(weights));
   sums = _mm256_add_ps(sums, shifted<8>(sums));
   const __m256 low_half_above = _mm256_permute2f128_ps(sums, sums, 0x08);
-  sums = _mm256_add_ps(sums, _mm256_shuffle_ps(low_half_above, low_half_above, 0xFF));
+  return _mm256_add_ps(sums, _mm256_shuffle_ps(low_half_above, low_half_above, 0xFF));
+}
+
+inline unsigned left_by(__m256 sums, __m256 point, __m256 weights) {
+  return algorithms::left_by(mask_of(_mm256_cmp_ps(sums, point, _CMP_GT_OQ)),
+                             mask_of(_mm256_cmp_ps(weights, _mm256_setzero_ps(), _CMP_GT_OQ)));
+}
+
+inline int roulette(__m256 weights, float u) {
+  const __m256 sums = prefix_sums(weights);
   const __m256 total = _mm256_permutevar8x32_ps(sums, _mm256_set1_epi32(7));
-  const __m256 point = _mm256_mul_ps(_mm256_set1_ps(u), total);
-  return first_or_last(mask_of(_mm256_cmp_ps(sums, point, _CMP_GT_OQ)),
-                       mask_of(_mm256_cmp_ps(weights, _mm256_setzero_ps(), _CMP_GT_OQ)));
+  return first_of(left_by(sums, _mm256_mul_ps(_mm256_set1_ps(u), total), weights));
+}
+
+// The last of the prefix sums, everywhere. By the same additions, if of other neighbours, but without waiting
+// for the others.
+inline __m256 total_at_once(__m256 weights) {
+  __m256 total = _mm256_add_ps(weights, _mm256_permute_ps(weights, 0xB1));
+  total = _mm256_add_ps(total, _mm256_permute_ps(total, 0x4E));
+  return _mm256_add_ps(total, _mm256_permute2f128_ps(total, total, 0x01));
 }
 
 inline unsigned best(__m256 weights) {
@@ -220,6 +248,12 @@ inline int choose(const ChoicePoint& at, std::uint64_t bits) {
   return roulette(weights(at), upper_uniform(bits));
 }
 
+inline unsigned choose_soon(const ChoicePoint& at, std::uint64_t bits) {
+  const __m256 w = weights(at);
+  const __m256 point = _mm256_mul_ps(_mm256_set1_ps(upper_uniform(bits)), total_at_once(w));
+  return left_by(prefix_sums(w), point, w);
+}
+
 inline int choose(const ChoicePoint& at, std::uint64_t bits, float q0) {
   const __m256 w = weights(at);
   if (upper_uniform(bits) >= q0) return roulette(w, lower_uniform(bits));
@@ -229,8 +263,10 @@ inline int choose(const ChoicePoint& at, std::uint64_t bits, float q0) {
 
 }  // namespace vectorised
 using vectorised::choose;
+using vectorised::choose_soon;
 #else
 using scalar::choose;
+using scalar::choose_soon;
 #endif
 
 }  // namespace pathrace::algorithms

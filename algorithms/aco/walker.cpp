@@ -1,6 +1,7 @@
 #include "algorithms/aco/walker.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <span>
 
 #include "algorithms/aco/choice.hpp"
@@ -18,8 +19,9 @@ void update(T& kept, const T& value) {
 
 }  // namespace
 
-Walker::Terms::Terms(const Ground& ground, const TrailRow* trail_rows)
+Walker::Terms::Terms(const Ground& ground, const TrailRow* trail_rows, const FirstOffsets& first)
     : rows(trail_rows),
+      first_offsets(first.data()),
       stride(static_cast<std::ptrdiff_t>(ground.nest.stride())),
       goal(static_cast<std::uint32_t>(ground.nest.goal())),
       least_strength(ground.trail.least_strength()),
@@ -30,6 +32,9 @@ Walker::Terms::Terms(const Ground& ground, const TrailRow* trail_rows)
 }
 
 Walker::Walker(const Ground& ground, std::size_t lanes) : ground_(ground), lanes_(lanes) {
+  for (unsigned mask = 1; mask < first_offsets_.size(); ++mask) {
+    first_offsets_[mask] = static_cast<std::int32_t>(ground.nest.moves().offset(std::countr_zero(mask)));
+  }
   const std::size_t margin = ground.nest.stride() + 4;
   for (Lane& lane : lanes_) {
     lane.mark_bytes.resize(ground.nest.size() + 2 * margin);
@@ -47,8 +52,8 @@ void Walker::run(AntQueue& ants, const Outing& outing, EarlyDeposits* deposits) 
   paths_.resize(outing.walks.size());
   const bool far = is_far(ground_.nest.size());
   const auto run = [&]<bool greedy, bool with_places, bool backs_up>() {
-    far ? run_lanes<greedy, with_places, backs_up, true>(ants)
-        : run_lanes<greedy, with_places, backs_up, false>(ants);
+    far ? run_lanes<Gait{greedy, with_places, backs_up, true}>(ants)
+        : run_lanes<Gait{greedy, with_places, backs_up, false}>(ants);
   };
   const auto run_by_policy = [&]<bool greedy>() {
     if (ground_.dead_end == DeadEnd::revisit_with_loop_erasure) return run.operator()<greedy, true, false>();
@@ -59,9 +64,10 @@ void Walker::run(AntQueue& ants, const Outing& outing, EarlyDeposits* deposits) 
   ground_.q0 > 0 ? run_by_policy.operator()<true>() : run_by_policy.operator()<false>();
 }
 
-template <bool greedy, bool with_places, bool backs_up, bool far>
+template <Walker::Gait gait>
 void Walker::run_lanes(AntQueue& ants) {
-  const Terms terms(ground_, deposits_ != nullptr ? ground_.trail.rows() : ground_.trail.rows_for_others());
+  const TrailRow* const rows = deposits_ != nullptr ? ground_.trail.rows() : ground_.trail.rows_for_others();
+  const Terms terms(ground_, rows, first_offsets_);
   std::size_t under_way = 0;
   std::size_t due = lanes_.size();  // so many have to be back for deposits to go on; one at the end
   while (under_way < lanes_.size()) {
@@ -70,10 +76,10 @@ void Walker::run_lanes(AntQueue& ants) {
     begin(under_way++, ant);
   }
   std::size_t back = 0;  // since deposits went on last
-  while (under_way > 0) {
+  while (under_way > 1) {
     draws_.advance(under_way);
     for (std::size_t k = 0; k < under_way;) {
-      const Outcome outcome = step<greedy, with_places, backs_up, far>(k, terms);
+      const Outcome outcome = step<gait>(k, terms);
       if (outcome != Outcome::goes_on) {
         finish(lanes_[k], outcome == Outcome::arrived);
         ++back;
@@ -94,6 +100,15 @@ void Walker::run_lanes(AntQueue& ants) {
       back = 0;
     }
   }
+  while (under_way == 1) {
+    Outcome outcome = Outcome::goes_on;
+    while (outcome == Outcome::goes_on) outcome = walk_alone<gait>(rows);
+    finish(lanes_[0], outcome == Outcome::arrived);
+    if (deposits_ != nullptr) deposits_->go_on();
+    const std::size_t ant = ants.take();
+    if (ant == AntQueue::none) return;
+    begin(0, ant);
+  }
 }
 
 void Walker::begin(std::size_t k, std::size_t ant) {
@@ -107,7 +122,6 @@ void Walker::begin(std::size_t k, std::size_t ant) {
   lane.next = lane.first;
   lane.left = 0;
   lane.pause = 0;
-  lane.pops = 0;
   draws_.set(k, outing_->stream.fork(ant));
   lane.ant = ant;
   prefetch(&outing_->walks[ant]);  // its last walk, which this one is compared with
@@ -120,7 +134,7 @@ void Walker::finish(Lane& lane, bool arrived) {
   Walk& walk = outing_->walks[lane.ant];
   update(walk.arrived, arrived);
   update(walk.decisions, lane.decisions());
-  update(walk.pops, lane.pops);
+  update(walk.pops, lane.pops());
   const std::span<const std::uint8_t> path(lane.first, arrived || ground_.keep_the_dead ? lane.length() : 0);
   if (!std::equal(path.begin(), path.end(), walk.directions.begin(), walk.directions.end())) {
     walk.directions.assign(path.begin(), path.end());
@@ -128,7 +142,7 @@ void Walker::finish(Lane& lane, bool arrived) {
   paths_[lane.ant] = walk.directions.data();
   update(walk.length, length_of(walk.directions));
   if (ground_.count_turns) update(walk.turns, turns_of(walk.directions));
-  if (ground_.keep_popped && (lane.pops > 0 || !walk.popped.empty())) walk.popped = lane.popped;
+  if (ground_.keep_popped && (lane.pops() > 0 || !walk.popped.empty())) walk.popped = lane.popped;
   if (outing_->roll_call != nullptr) outing_->roll_call->sign(lane.ant, outing_->round);
   if (lane.place.empty()) return;
   std::size_t cell = ground_.nest.start();
@@ -148,119 +162,82 @@ bool Walker::may_go_on(Lane& lane) const {
   return true;
 }
 
-void Walker::fetch(const Lane& lane, const TrailRow* row, std::ptrdiff_t stride) {
-  const std::uint8_t* marks = lane.marks + lane.cell;
-  __builtin_prefetch(row);
-  __builtin_prefetch(marks - stride);
-  __builtin_prefetch(marks);
-  __builtin_prefetch(marks + stride);
-}
-
-template <bool greedy, bool with_places, bool backs_up, bool far>
+template <Walker::Gait gait>
 Walker::Outcome Walker::step(std::size_t k, const Terms& terms) {
   Lane& lane = lanes_[k];
   if (lane.left == 0 && !may_go_on(lane)) return Outcome::died;
   --lane.left;
-  const std::uint32_t cell = lane.cell;
-  const ChoicePoint at{terms.rows + cell, lane.marks + cell,    terms.stride,
-                       lane.mark,         lane.recent.closed(), terms.least_strength};
-  const std::uint64_t bits = draws_.bits(k);
-  const int choice = greedy ? choose(at, bits, terms.q0) : choose(at, bits);
-  if (!backs_up && choice == no_choice) return stuck(k);
-  const int back = backs_up ? choice / no_choice : 0;
-  if (backs_up && lane.next - back < lane.first) return Outcome::died;  // all that can be reached is seen
-  const int direction = backs_up ? (choice & 7) | (opposite(lane.next[-1]) & -back) : choice;
-  const std::uint32_t target =
-      cell + static_cast<std::uint32_t>(terms.offsets[static_cast<std::size_t>(direction)]);
-  lane.marks[lane.further] = lane.mark;
-  lane.further = lane.behind;
-  lane.behind = cell;
-  lane.cell = target;
-  lane.recent.add(direction);
-  *lane.next = static_cast<std::uint8_t>(direction);
-  lane.next += 1 - 2 * back;
-  if (backs_up) lane.pops += static_cast<std::uint64_t>(back);
-  if (with_places) lane.place[target] = static_cast<std::uint32_t>(lane.length() + 1);
-  if (far) fetch(lane, terms.rows + target, terms.stride);
-  return target == terms.goal ? Outcome::arrived : Outcome::goes_on;
+  const Turn turn = turn_at<gait>(lane, draws_.bits(k), terms);
+  if (!gait.backs_up && turn.direction == no_choice) return stuck(k);
+  return take<gait>(lane, lane.place.data(), turn, terms);
 }
 
-void Walker::settle(Lane& lane) {
-  for (const std::uint32_t cell : {lane.cell, lane.behind, lane.further}) lane.marks[cell] = lane.mark;
-  lane.behind = lane.further = lane.cell;
-  lane.recent = {};
+// The last ant under way has the processor to itself, which waits for the end of a step before it can begin
+// the next. So where an ant is stays in registers, and where it goes is found in fewer instructions one after
+// the other, if in more altogether.
+template <Walker::Gait gait>
+Walker::Outcome Walker::walk_alone(const TrailRow* rows) {
+  constexpr Gait alone{gait.greedy, gait.with_places, gait.backs_up, false};  // there is no time ahead
+  Lane& lane = lanes_[0];
+  if (lane.left == 0 && !may_go_on(lane)) return Outcome::died;
+  const Terms terms(ground_, rows, first_offsets_);
+  std::uint32_t* const place = lane.place.data();
+  Foot foot = static_cast<Foot&>(lane);
+  bool is_stuck = false;
+  Outcome outcome = Outcome::goes_on;
+  while (outcome == Outcome::goes_on && !is_stuck && foot.left > 0) {
+    --foot.left;
+    draws_.advance(1);
+    const Turn turn = turn_soon<alone>(foot, draws_.bits(0), terms);
+    is_stuck = !gait.backs_up && turn.direction == no_choice;
+    if (!is_stuck) outcome = take<alone>(foot, place, turn, terms);
+  }
+  static_cast<Foot&>(lane) = foot;
+  return is_stuck ? stuck(0) : outcome;
 }
 
-// A step off the beaten track; the lane is settled before and after.
-void Walker::move(Lane& lane, int direction) const {
-  lane.cell = static_cast<std::uint32_t>(ground_.nest.moves().step(lane.cell, direction));
-  *lane.next++ = static_cast<std::uint8_t>(direction);
-  if (!lane.place.empty()) lane.place[lane.cell] = static_cast<std::uint32_t>(lane.length() + 1);
-  settle(lane);
+ChoicePoint Walker::choice_point(const Foot& foot, const Terms& terms) {
+  return {terms.rows + foot.cell, foot.marks + foot.cell, terms.stride, foot.mark,
+          foot.recent.closed(),   terms.least_strength};
 }
 
-unsigned Walker::unvisited(const Lane& lane) const {
-  unsigned mask = 0;
-  for (int d = 0; d < direction_count; ++d) {
-    const bool open = (ground_.nest.open(lane.cell) >> d & 1) != 0;
-    if (open && lane.marks[ground_.nest.moves().step(lane.cell, d)] != lane.mark) mask |= 1U << d;
-  }
-  return mask;
+template <Walker::Gait gait>
+Walker::Turn Walker::turn_at(const Foot& foot, std::uint64_t bits, const Terms& terms) {
+  const ChoicePoint at = choice_point(foot, terms);
+  const int choice = gait.greedy ? choose(at, bits, terms.q0) : choose(at, bits);
+  if (!gait.backs_up) return {choice, 0, foot.cell + terms.offset(choice & 7)};
+  const int back = choice / no_choice;
+  const int direction = (choice & 7) | (opposite(foot.next[-1]) & -back);
+  return {direction, back, foot.cell + terms.offset(direction)};
 }
 
-// No step has a weight. Where steps are left whose weights have underflown, no preference is left among them.
-Walker::Outcome Walker::stuck(std::size_t k) {
-  Lane& lane = lanes_[k];
-  if (lane.behind != lane.cell) settle(lane);
-  const unsigned fresh = ground_.trail.every_step_weighs() ? 0 : unvisited(lane);
-  if (fresh != 0) {
-    move(lane, uniform_choice(fresh, lower_uniform(draws_.bits(k))));
-    return lane.cell == ground_.nest.goal() ? Outcome::arrived : Outcome::goes_on;
-  }
-  switch (ground_.dead_end) {
-    case DeadEnd::die: return Outcome::died;
-    case DeadEnd::backtrack: return back_up(lane);
-    case DeadEnd::revisit_with_loop_erasure: break;
-  }
-  return revisit(k);
+template <Walker::Gait gait>
+Walker::Turn Walker::turn_soon(const Foot& foot, std::uint64_t bits, const Terms& terms) {
+  if (gait.greedy) return turn_at<gait>(foot, bits, terms);
+  const unsigned choices = choose_soon(choice_point(foot, terms), bits);
+  const int choice = first_of(choices);
+  if (!gait.backs_up) return {choice, 0, foot.cell + terms.first_offset(choices)};
+  const int back = choices == 0 ? 1 : 0;
+  const int way_back = opposite(foot.next[-1]);
+  const std::uint32_t base = foot.cell + (terms.offset(way_back) & static_cast<std::uint32_t>(-back));
+  return {(choice & 7) | (way_back & -back), back, base + terms.first_offset(choices)};
 }
 
-Walker::Outcome Walker::back_up(Lane& lane) const {
-  if (lane.length() == 0) return Outcome::died;  // all that can be reached has been seen
-  const std::uint8_t direction = *--lane.next;
-  lane.cell = static_cast<std::uint32_t>(ground_.nest.moves().step(lane.cell, opposite(direction)));
-  fetch(lane, ground_.trail.rows() + lane.cell, static_cast<std::ptrdiff_t>(ground_.nest.stride()));
-  lane.behind = lane.further = lane.cell;  // marked long ago, like all of the path
-  ++lane.pops;
-  if (ground_.keep_popped) lane.popped.push_back({lane.cell, direction});
-  return Outcome::goes_on;
-}
-
-// A step onto any neighbour by eq. (1). Where the path has been there, the loop is cut off; else it goes on
-// from there.
-Walker::Outcome Walker::revisit(std::size_t k) {
-  Lane& lane = lanes_[k];
-  const unsigned open = ground_.nest.open(lane.cell);
-  if (open == 0) return Outcome::died;
-  scalar::Weights weights;
-  for (int d = 0; d < direction_count; ++d) {
-    weights[static_cast<std::size_t>(d)] = ground_.trail.weight(lane.cell, d);
-  }
-  const std::uint64_t bits = draws_.another(k);
-  int direction = scalar::roulette(weights, upper_uniform(bits));
-  if (direction == no_choice) direction = uniform_choice(open, lower_uniform(bits));
-  const std::size_t target = ground_.nest.moves().step(lane.cell, direction);
-  if (lane.place[target] == 0) {
-    move(lane, direction);
-    return Outcome::goes_on;
-  }
-  while (lane.length() + 1 > lane.place[target]) {
-    lane.place[lane.cell] = 0;
-    const std::uint8_t last = *--lane.next;
-    lane.cell = static_cast<std::uint32_t>(ground_.nest.moves().step(lane.cell, opposite(last)));
-  }
-  settle(lane);
-  return Outcome::goes_on;
+template <Walker::Gait gait>
+Walker::Outcome Walker::take(Foot& foot, std::uint32_t* place, const Turn& turn, const Terms& terms) {
+  const bool all_is_seen = gait.backs_up && foot.next - turn.back < foot.first;
+  if (all_is_seen) return Outcome::died;
+  const std::uint32_t cell = foot.cell;
+  foot.marks[foot.further] = foot.mark;
+  foot.further = foot.behind;
+  foot.behind = cell;
+  foot.cell = turn.target;
+  foot.recent.add(turn.direction);
+  *foot.next = static_cast<std::uint8_t>(turn.direction);
+  foot.next += 1 - 2 * turn.back;
+  if (gait.with_places) place[turn.target] = static_cast<std::uint32_t>(foot.length() + 1);
+  if (gait.far) fetch(foot, terms.rows + turn.target, terms.stride);
+  return turn.target == terms.goal ? Outcome::arrived : Outcome::goes_on;
 }
 
 }  // namespace pathrace::algorithms

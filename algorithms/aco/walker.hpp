@@ -75,7 +75,8 @@ class alignas(128) Walker {
   // Beyond the first-level cache: whether what a step reads is worth asking for ahead of time.
   static constexpr bool is_far(std::size_t cells) { return cells > 1U << 12; }
 
-  struct alignas(64) Lane {
+  // What a step of an ant reads and changes.
+  struct Foot {
     std::uint32_t cell = 0;
     std::uint32_t behind = 0;   // the cell before, not marked yet
     std::uint32_t further = 0;  // the cell before that, not marked yet
@@ -85,23 +86,41 @@ class alignas(128) Walker {
     std::uint8_t* first = nullptr;  // direction of the path; the byte before it may be read
     std::uint8_t* next = nullptr;   // where the next direction goes
     std::uint64_t left = 0;         // decisions until limits and clock are looked at
-    std::uint64_t pause = 0;        // how many there have been by then
-    std::uint64_t pops = 0;
+
+    std::size_t length() const { return static_cast<std::size_t>(next - first); }
+  };
+
+  struct alignas(64) Lane : Foot {
+    std::uint64_t pause = 0;  // how many decisions there will have been when limits and clock are looked at
     std::size_t ant = 0;
     std::vector<std::uint8_t> mark_bytes;  // framed, so that a row beyond the padded grid can be read
     std::vector<std::uint8_t> path_bytes;
     std::vector<std::uint32_t> place;  // path length at which a cell was entered, from 1; loop erasure only
     std::vector<Step> popped;
 
-    std::size_t length() const { return static_cast<std::size_t>(next - first); }
     std::uint64_t decisions() const { return pause - left; }
+    // Of n steps, p of them back, a path is n - 2p long; a last decision may have brought nothing but death.
+    // Steps into loops are no steps back, and with places there are no others.
+    std::uint64_t pops() const { return place.empty() ? (decisions() - length()) / 2 : 0; }
   };
+
+  using FirstOffsets = std::array<std::int32_t, 1U << direction_count>;
 
   // What does not change while lanes run: a copy on the stack, which no store can be suspected to alter.
   struct Terms {
-    Terms(const Ground& ground, const TrailRow* trail_rows);
+    Terms(const Ground& ground, const TrailRow* trail_rows, const FirstOffsets& first);
+
+    /// Of a step.
+    std::uint32_t offset(int direction) const {
+      return static_cast<std::uint32_t>(offsets[static_cast<std::size_t>(direction)]);
+    }
+    /// Of a step in the first direction of a mask; 0 for none.
+    std::uint32_t first_offset(unsigned mask) const {
+      return static_cast<std::uint32_t>(first_offsets[mask]);
+    }
 
     const TrailRow* rows;
+    const std::int32_t* first_offsets;
     std::array<std::int32_t, direction_count> offsets{};
     std::ptrdiff_t stride;
     std::uint32_t goal;
@@ -111,17 +130,53 @@ class alignas(128) Walker {
 
   enum class Outcome { goes_on, arrived, died };
 
-  // Backs up: a stuck ant steps back by the same instructions as one that goes on.
-  template <bool greedy, bool with_places, bool backs_up, bool far>
+  // Where a step leads.
+  struct Turn {
+    int direction;  // no_choice when stuck, unless that backs up
+    int back;       // 1 when it takes the last step back
+    std::uint32_t target;
+  };
+
+  // How ants walk: what the loop over their steps is compiled for.
+  struct Gait {
+    bool greedy;
+    bool with_places;
+    bool backs_up;  // a stuck ant steps back by the same instructions as one that goes on
+    bool far;
+  };
+
+  template <Gait gait>
   void run_lanes(AntQueue& ants);
-  template <bool greedy, bool with_places, bool backs_up, bool far>
-  Outcome step(std::size_t k, const Terms& terms);
-  void begin(std::size_t k, std::size_t ant);
-  void finish(Lane& lane, bool arrived);
-  /// Asks for what the lane's next step reads, while other lanes take theirs. Inline, or g++ would drop the
-  /// calls (core/prefetch.hpp); its way out of that would cost the inner loop a tenth of its speed.
-  [[gnu::always_inline]] static inline void fetch(const Lane& lane, const TrailRow* row,
-                                                  std::ptrdiff_t stride);
+  /// What a step is made of is inline, whatever else is called: the loop would lose a seventh of its speed.
+  template <Gait gait>
+  [[gnu::always_inline]] inline Outcome step(std::size_t k, const Terms& terms);
+  /// Steps of lane 0, to one that does not simply go on, or to the next look at the clock.
+  template <Gait gait>
+  [[gnu::noinline]] Outcome walk_alone(const TrailRow* rows);
+  [[gnu::always_inline]] static inline ChoicePoint choice_point(const Foot& foot, const Terms& terms);
+  /// In few instructions.
+  template <Gait gait>
+  [[gnu::always_inline]] static inline Turn turn_at(const Foot& foot, std::uint64_t bits, const Terms& terms);
+  /// In little time.
+  template <Gait gait>
+  [[gnu::always_inline]] static inline Turn turn_soon(const Foot& foot, std::uint64_t bits,
+                                                      const Terms& terms);
+  /// When it is stuck and cannot even step back, an ant dies.
+  template <Gait gait>
+  [[gnu::always_inline]] static inline Outcome take(Foot& foot, std::uint32_t* place, const Turn& turn,
+                                                    const Terms& terms);
+  [[gnu::noinline]] void begin(std::size_t k, std::size_t ant);
+  [[gnu::noinline]] void finish(Lane& lane, bool arrived);
+  /// Asks for what the next step reads, while other lanes take theirs. Inline, or g++ would drop the calls
+  /// (core/prefetch.hpp); its way out of that would cost the inner loop a tenth of its speed.
+  [[gnu::always_inline]] static inline void fetch(const Foot& foot, const TrailRow* row,
+                                                  std::ptrdiff_t stride) {
+    const std::uint8_t* marks = foot.marks + foot.cell;
+    __builtin_prefetch(row);
+    __builtin_prefetch(marks - stride);
+    __builtin_prefetch(marks);
+    __builtin_prefetch(marks + stride);
+  }
   bool may_go_on(Lane& lane) const;
   /// Marks what is not marked yet.
   static void settle(Lane& lane);
@@ -140,6 +195,7 @@ class alignas(128) Walker {
   const Outing* outing_ = nullptr;
   EarlyDeposits* deposits_ = nullptr;
   std::uint64_t limit_ = 0;
+  FirstOffsets first_offsets_{};
 };
 
 }  // namespace pathrace::algorithms

@@ -125,6 +125,8 @@ TEST(Choice, IsTheSameInVectorAndInScalarCode) {
     const ChoicePoint at = place.point(stream.chance(0.5) ? 0 : stream.uniform_float());
     const std::uint64_t bits = stream.chance(0.05) ? ~std::uint64_t{0} : stream.bits();
     ASSERT_EQ(vectorised::choose(at, bits), scalar::choose(at, bits)) << i;
+    ASSERT_EQ(first_of(vectorised::choose_soon(at, bits)), scalar::choose(at, bits)) << i;
+    ASSERT_EQ(first_of(scalar::choose_soon(at, bits)), scalar::choose(at, bits)) << i;
     ASSERT_EQ(vectorised::choose(at, bits, 0.5F), scalar::choose(at, bits, 0.5F)) << i;
   }
 }

@@ -31,13 +31,23 @@ struct Field {
   }
 
   std::vector<Walk> walk(DeadEnd dead_end, std::size_t ants, std::uint64_t seed,
-                         std::uint64_t limit = no_limit, std::size_t lanes = 4) const {
+                         std::uint64_t limit = no_limit) const {
+    return walk_on(ground(dead_end), ants, seed, limit, 4);
+  }
+
+  // Then steps back are taken by the same instructions as others, unless they are listed.
+  void let_every_step_weigh() {
+    trail.limit(0x1p-40, Trail::no_limit);
+    EXPECT_TRUE(trail.every_step_weighs());
+  }
+
+  static std::vector<Walk> walk_on(const Ground& ground, std::size_t ants, std::uint64_t seed,
+                                   std::uint64_t limit, std::size_t lanes) {
     std::vector<Walk> walks(ants);
-    const Ground shared = ground(dead_end);
     AntQueue queue(0, ants);
     const Stream stream(seed);
     const Meter meter({});
-    Walker(shared, lanes).run(queue, {stream, limit, meter, walks});
+    Walker(ground, lanes).run(queue, {stream, limit, meter, walks});
     return walks;
   }
 
@@ -259,13 +269,67 @@ TEST(Walker, StopsAtTheStepLimit) {
   EXPECT_EQ(walk.decisions, 7U);
 }
 
+// One alone finds its way by other instructions than several; so does who keeps no list of what it took back.
 TEST(Walker, GivesTheSameWalksHoweverManyWalkSideBySide) {
-  for (const DeadEnd dead_end : {DeadEnd::die, DeadEnd::backtrack, DeadEnd::revisit_with_loop_erasure}) {
-    const Field field(testing::random_grid(Stream(67), 20, 20, 0.25), MoveRule::strict, {0, 0}, {19, 19});
-    const std::vector<Walk> expected = field.walk(dead_end, 600, 61, 2000, 1);
-    for (const std::size_t lanes : {2U, 3U, 4U, 8U}) {
-      EXPECT_EQ(field.walk(dead_end, 600, 61, 2000, lanes), expected) << name(dead_end) << ' ' << lanes;
+  for (const int side : {20, 70}) {
+    const std::size_t ants = side == 20 ? 150 : 30;
+    Field field(testing::random_grid(Stream(67), side, side, 0.25), MoveRule::strict, {0, 0},
+                {side - 1, side - 1});
+    field.let_every_step_weigh();
+    for (const DeadEnd dead_end : {DeadEnd::die, DeadEnd::backtrack, DeadEnd::revisit_with_loop_erasure}) {
+      for (const double q0 : {0.0, 0.5}) {
+        for (const bool keep_popped : {false, true}) {
+          Ground ground = field.ground(dead_end);
+          ground.q0 = q0;
+          ground.keep_popped = keep_popped;
+          const std::vector<Walk> expected = Field::walk_on(ground, ants, 61, 3000, 1);
+          for (const std::size_t lanes : {2U, 3U, 4U, 8U}) {
+            EXPECT_EQ(Field::walk_on(ground, ants, 61, 3000, lanes), expected)
+                << name(dead_end) << ' ' << side << ' ' << q0 << ' ' << keep_popped << ' ' << lanes;
+          }
+        }
+      }
     }
+  }
+}
+
+TEST(Walker, CountsTheStepsThatAreTakenBackWhetherItListsThemOrNot) {
+  Field field(testing::random_grid(Stream(67), 20, 20, 0.3), MoveRule::strict, {0, 0}, {19, 19});
+  field.let_every_step_weigh();
+  for (const std::uint64_t limit : {std::uint64_t{100}, no_limit}) {
+    Ground ground = field.ground(DeadEnd::backtrack);
+    const std::vector<Walk> listed = Field::walk_on(ground, 200, 61, limit, 4);
+    ground.keep_popped = false;
+    const std::vector<Walk> counted = Field::walk_on(ground, 200, 61, limit, 4);
+    std::size_t pops = 0;
+    for (std::size_t ant = 0; ant < listed.size(); ++ant) {
+      EXPECT_EQ(listed[ant].pops, listed[ant].popped.size()) << ant;
+      EXPECT_EQ(counted[ant].pops, listed[ant].pops) << ant;
+      pops += listed[ant].pops;
+    }
+    EXPECT_GT(pops, 0U);
+  }
+}
+
+// All that can be reached is a pocket of three cells: there and back, and one decision more to find that out.
+TEST(Walker, WhoHasSeenAllHasTakenEveryStepBack) {
+  Field field(grid_of({"...#."}), MoveRule::four, {0, 0}, {4, 0});
+  field.let_every_step_weigh();
+  for (const bool keep_popped : {false, true}) {
+    Ground ground = field.ground(DeadEnd::backtrack);
+    ground.keep_popped = keep_popped;
+    for (const Walk& walk : Field::walk_on(ground, 3, 1, no_limit, 2)) {
+      EXPECT_FALSE(walk.arrived);
+      EXPECT_EQ(walk.decisions, 5U);
+      EXPECT_EQ(walk.pops, 2U);
+    }
+  }
+}
+
+TEST(Walker, WithoutStepsBackNoneAreCounted) {
+  const Field field(testing::random_grid(Stream(67), 20, 20, 0.3), MoveRule::strict, {0, 0}, {19, 19});
+  for (const DeadEnd dead_end : {DeadEnd::die, DeadEnd::revisit_with_loop_erasure}) {
+    for (const Walk& walk : field.walk(dead_end, 200, 61, 500)) EXPECT_EQ(walk.pops, 0U) << name(dead_end);
   }
 }
 
