@@ -104,17 +104,16 @@ class alignas(128) Walker {
     std::uint64_t pops() const { return place.empty() ? (decisions() - length()) / 2 : 0; }
   };
 
+  // By a mask of directions, how far off a step in the first of them leads, in cells; 0 for none.
   using FirstOffsets = std::array<std::int32_t, 1U << direction_count>;
 
   // What does not change while lanes run: a copy on the stack, which no store can be suspected to alter.
   struct Terms {
     Terms(const Ground& ground, const TrailRow* trail_rows, const FirstOffsets& first);
 
-    /// Of a step.
     std::uint32_t offset(int direction) const {
       return static_cast<std::uint32_t>(offsets[static_cast<std::size_t>(direction)]);
     }
-    /// Of a step in the first direction of a mask; 0 for none.
     std::uint32_t first_offset(unsigned mask) const {
       return static_cast<std::uint32_t>(first_offsets[mask]);
     }

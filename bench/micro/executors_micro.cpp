@@ -42,6 +42,7 @@ void team(benchmark::State& state, const std::string& backend) {
 }
 
 BENCHMARK_CAPTURE(alone, openmp, "openmp")->UseRealTime();
+BENCHMARK_CAPTURE(alone, tbb, "tbb")->UseRealTime();
 BENCHMARK_CAPTURE(team, openmp, "openmp")->UseRealTime();
 BENCHMARK_CAPTURE(team, tbb, "tbb")->UseRealTime();
 BENCHMARK_CAPTURE(team, threads, "threads")->UseRealTime();
