@@ -63,7 +63,7 @@ class OpenMpExecutor final : public TeamExecutor {
         }
       } else {
         if (may_settle) settle(omp_get_thread_num());
-        serve(team, this);
+        serve(team);
       }
     }
     if (failure) std::rethrow_exception(failure);

@@ -20,6 +20,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 
 #include <atomic>
 #include <memory>
@@ -42,6 +43,11 @@ class TbbExecutor final : public TeamExecutor {
   explicit TbbExecutor(int threads) : TeamExecutor(threads), arena_(threads), shares_(threads) {
     lift_the_limit_on_workers();
     start();
+  }
+
+  // Helpers that have not come by now come here, to find that everything is over.
+  ~TbbExecutor() noexcept override {
+    arena_.execute([this] { helpers_.wait(); });
   }
 
   std::string_view name() const override { return "tbb"; }
@@ -75,11 +81,12 @@ class TbbExecutor final : public TeamExecutor {
     auto& gathering = static_cast<Gathering&>(team);
     gathering.shares.go_to(0);
     for (int k = 1; k < threads(); ++k) {
-      arena_.enqueue([kept = gathering.shared_from_this(), k, executor = this] {
+      arena_.enqueue(helpers_.defer([kept = gathering.shared_from_this(), k, this] {
+        if (kept->is_dismissed()) return;
         kept->shares.go_to(k);
         ++kept->present;
-        serve(*kept, executor);
-      });
+        serve(*kept);
+      }));
     }
   }
 
@@ -93,6 +100,7 @@ class TbbExecutor final : public TeamExecutor {
   }
 
   tbb::task_arena arena_;
+  tbb::task_group helpers_;  // of all teams
   ProcessorShares shares_;
 };
 

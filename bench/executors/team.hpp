@@ -25,6 +25,8 @@ class Team {
   void serve();
   /// The leader's, once, outside loops: lets the helpers go.
   void dismiss();
+  /// Anybody's: whether helpers come too late.
+  bool is_dismissed() const { return (gate_.load(std::memory_order_relaxed) & dismissed) != 0; }
 
  private:
   static constexpr std::uint32_t helpers = 0x3FF;  // how many are inside

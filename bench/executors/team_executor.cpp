@@ -88,8 +88,8 @@ void TeamExecutor::run_in(Team& team, Chunks& chunks) const {
   team.run(chunks);
 }
 
-void TeamExecutor::serve(Team& team, const TeamExecutor* executor) {
-  const Part part(executor, nullptr);
+void TeamExecutor::serve(Team& team) const {
+  const Part part(this, nullptr);
   team.serve();
 }
 

@@ -40,8 +40,8 @@ class TeamExecutor : public Executor {
   void lead_team(Team& team, const Lead& lead) const;
   /// The leader's loop.
   void run_in(Team& team, Chunks& chunks) const;
-  /// A helper's life in a team of this executor, which is only named: it may be gone before a helper comes.
-  static void serve(Team& team, const TeamExecutor* executor);
+  /// A helper's life in a team of this executor.
+  void serve(Team& team) const;
 
  private:
   void run_chunks(std::size_t count, std::size_t grain, ChunkBody body) final;

