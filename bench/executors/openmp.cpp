@@ -10,11 +10,9 @@
 // and who opens a region gets out of their way.
 #include <omp.h>
 
-#include <atomic>
 #include <exception>
 #include <utility>
 
-#include "bench/executors/processor_shares.hpp"
 #include "bench/executors/team_executor.hpp"
 
 namespace pathrace::bench {
@@ -22,7 +20,7 @@ namespace {
 
 class OpenMpExecutor final : public TeamExecutor {
  public:
-  explicit OpenMpExecutor(int threads) : TeamExecutor(threads), shares_(threads) { start(); }
+  explicit OpenMpExecutor(int threads) : TeamExecutor(threads) { start(); }
 
   std::string_view name() const override { return "openmp"; }
 
@@ -31,26 +29,19 @@ class OpenMpExecutor final : public TeamExecutor {
     gather([this, &chunks](Team& team) { run_in(team, chunks); });
   }
 
-  // Starts the threads of the calling thread's outermost regions, and lets each of them find its share: the
-  // first trial is not to wait for that.
-  void start() {
-    if (threads() == 1 || !shares_.exist() || !outermost()) return;
-    gather([this](Team&) { wait_for(settled_, threads() - 1); });
-  }
-
   // A helper's, of an outermost region.
   void settle(int k) {
     static thread_local std::pair<int, int> share;  // threads, and which of them it settled as last
     const std::pair<int, int> due{threads(), k};
-    if (std::exchange(share, due) != due) shares_.settle(k);
-    ++settled_;
+    if (std::exchange(share, due) != due) shares().settle(k);
+    arrive();
   }
 
   void gather(const Lead& lead) override {
     omp_set_dynamic(0);  // the number asked for, also above the number of cores
     omp_set_max_active_levels(omp_get_supported_active_levels());
     const bool may_settle = outermost();
-    if (may_settle) shares_.go_to(0);
+    if (may_settle) shares().go_to(0);
     Team team;
     std::exception_ptr failure;  // must not leave the region
 #pragma omp parallel num_threads(threads())
@@ -68,9 +59,6 @@ class OpenMpExecutor final : public TeamExecutor {
     }
     if (failure) std::rethrow_exception(failure);
   }
-
-  ProcessorShares shares_;
-  std::atomic<int> settled_{0};
 };
 
 }  // namespace

@@ -16,8 +16,6 @@ namespace pathrace::bench {
 /// processors than threads, or the system does not tell, there are no shares and nobody is moved.
 class ProcessorShares {
  public:
-  /// None.
-  ProcessorShares() = default;
   /// Of the calling thread's processors.
   explicit ProcessorShares(int threads);
 

@@ -22,11 +22,9 @@
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 
-#include <atomic>
 #include <memory>
 
 #include "bench/executors.hpp"
-#include "bench/executors/processor_shares.hpp"
 #include "bench/executors/team_executor.hpp"
 
 namespace pathrace::bench {
@@ -40,7 +38,7 @@ void lift_the_limit_on_workers() {
 
 class TbbExecutor final : public TeamExecutor {
  public:
-  explicit TbbExecutor(int threads) : TeamExecutor(threads), arena_(threads), shares_(threads) {
+  explicit TbbExecutor(int threads) : TeamExecutor(threads), arena_(threads) {
     lift_the_limit_on_workers();
     start();
   }
@@ -55,8 +53,9 @@ class TbbExecutor final : public TeamExecutor {
  private:
   // A team that stays as long as somebody is still to come.
   struct Gathering : Team, std::enable_shared_from_this<Gathering> {
-    ProcessorShares shares;  // none, if nobody is to be moved
-    std::atomic<int> present{0};
+    explicit Gathering(bool is_outermost) : outermost(is_outermost) {}
+
+    bool outermost;  // else nobody is moved
   };
 
   void run_apart(Chunks& chunks) override {
@@ -72,36 +71,25 @@ class TbbExecutor final : public TeamExecutor {
   }
 
   void gather(const Lead& lead) override {
-    const auto gathering = std::make_shared<Gathering>();
-    if (outermost()) gathering->shares = shares_;
+    const auto gathering = std::make_shared<Gathering>(outermost());
     lead_team(*gathering, lead);
   }
 
   void call_helpers(Team& team) override {
     auto& gathering = static_cast<Gathering&>(team);
-    gathering.shares.go_to(0);
+    if (gathering.outermost) shares().go_to(0);
     for (int k = 1; k < threads(); ++k) {
       arena_.enqueue(helpers_.defer([kept = gathering.shared_from_this(), k, this] {
         if (kept->is_dismissed()) return;
-        kept->shares.go_to(k);
-        ++kept->present;
+        if (kept->outermost) shares().go_to(k);
+        arrive();
         serve(*kept);
       }));
     }
   }
 
-  // Starts workers and lets each of them find its share: the first trial is not to wait for that.
-  void start() {
-    if (threads() == 1 || !shares_.exist() || !outermost()) return;
-    gather([this](Team& team) {
-      call_helpers(team);
-      wait_for(static_cast<Gathering&>(team).present, threads() - 1);
-    });
-  }
-
   tbb::task_arena arena_;
   tbb::task_group helpers_;  // of all teams
-  ProcessorShares shares_;
 };
 
 }  // namespace

@@ -39,12 +39,6 @@ thread_local Part* Part::innermost = nullptr;
 
 }  // namespace
 
-void wait_for(const std::atomic<int>& present, int expected) {
-  using namespace std::chrono_literals;
-  constexpr int patience = 1000;
-  for (int k = 0; k < patience && present < expected; ++k) std::this_thread::sleep_for(20us);
-}
-
 void TeamExecutor::with_team(const std::function<void()>& body) {
   if (threads_ == 1 || Part::in(this) != nullptr) return body();
   gather([&body](Team&) { body(); });
@@ -62,6 +56,16 @@ void TeamExecutor::run_chunks(std::size_t count, std::size_t grain, ChunkBody bo
     run_in(*part->led(), chunks);
   }
   chunks.rethrow();
+}
+
+void TeamExecutor::start() {
+  using namespace std::chrono_literals;
+  if (threads_ == 1 || !shares_.exist() || !outermost()) return;
+  gather([this](Team& team) {
+    call_helpers(team);
+    constexpr int patience = 1000;
+    for (int k = 0; k < patience && arrived_ < threads_ - 1; ++k) std::this_thread::sleep_for(20us);
+  });
 }
 
 bool TeamExecutor::outermost() {

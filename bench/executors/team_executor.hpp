@@ -5,18 +5,16 @@
 #include <functional>
 
 #include "bench/executors/chunks.hpp"
+#include "bench/executors/processor_shares.hpp"
 #include "bench/executors/team.hpp"
 
 namespace pathrace::bench {
-
-/// Returns when so many have come, or after some tens of milliseconds.
-void wait_for(const std::atomic<int>& present, int expected);
 
 /// What such executors have in common. They differ in where the threads come from, and in what they do with a
 /// loop outside of a team.
 class TeamExecutor : public Executor {
  public:
-  explicit TeamExecutor(int threads) : threads_(threads) {}
+  explicit TeamExecutor(int threads) : threads_(threads), shares_(threads) {}
 
   int threads() const final { return threads_; }
   /// In a loop of a team, and in a team, there is no second one: the body is merely called.
@@ -31,6 +29,14 @@ class TeamExecutor : public Executor {
   virtual void call_helpers(Team& /*team*/) {}
   /// A loop outside of a team, of two chunks or more, for two threads or more.
   virtual void run_apart(Chunks& chunks) = 0;
+
+  /// Gathers the threads of an outermost team once, and lets each of them find its share: the first trial is
+  /// not to wait for that. For constructors.
+  void start();
+  /// Of an outermost team: the leader's is 0, and its helpers' are the others.
+  const ProcessorShares& shares() const { return shares_; }
+  /// A helper's, once it is where it belongs.
+  void arrive() { ++arrived_; }
 
   /// Whether the calling thread runs nothing for an executor of this kind.
   static bool outermost();
@@ -47,6 +53,8 @@ class TeamExecutor : public Executor {
   void run_chunks(std::size_t count, std::size_t grain, ChunkBody body) final;
 
   int threads_;
+  ProcessorShares shares_;
+  std::atomic<int> arrived_{0};  // over all teams
 };
 
 }  // namespace pathrace::bench

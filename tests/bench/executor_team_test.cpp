@@ -107,6 +107,17 @@ TEST_P(ExecutorWithTeam, ATeamMayBeLetGoAndItsExecutorEndBeforeAnybodyHasCome) {
   }
 }
 
+TEST_P(ExecutorWithTeam, AnExecutorMayBeginLeadATeamAndEndInsideOfALoop) {
+  std::atomic<int> calls{0};
+  for (int round = 0; round < 50; ++round) {
+    for_each_index(executor(), 3, 1, [&](std::size_t) {
+      const std::unique_ptr<Executor> brief = another();
+      brief->with_team([&] { for_each_index(*brief, 2, 1, [&](std::size_t) { ++calls; }); });
+    });
+  }
+  EXPECT_EQ(calls, 50 * 3 * 2);
+}
+
 INSTANTIATE_TEST_SUITE_P(Executors, ExecutorWithTeam, executors_and_threads(), test_name);
 
 }  // namespace

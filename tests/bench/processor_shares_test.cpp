@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -33,6 +34,12 @@ Processors allowed(pid_t thread = 0) {
 
 void in_a_thread_of_its_own(const std::function<void()>& body) {
   std::thread(body).join();
+}
+
+// Two threads wait here for each other; but TBB promises nobody that a second one comes.
+void meet(std::atomic<int>& present) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  for (++present; present < 2 && std::chrono::steady_clock::now() < end;) std::this_thread::yield();
 }
 
 // Of two shares, the k-th: every other of the calling thread's processors.
@@ -161,7 +168,7 @@ TEST_P(TeamOnShares, ItsHelperIsNotOnTheProcessorOfItsLeader) {
         for_each_index(*executor, 2, 1, [&](std::size_t) {
           const bool helps = std::this_thread::get_id() != leader;
           if (helps) helper_apart = shares.here(1);
-          for (++present; present < 2;) std::this_thread::yield();
+          meet(present);
           if (helps) shares.go_to(0);
         });
       });
@@ -206,7 +213,7 @@ TEST(ProcessorShares, AThreadOfATbbTeamMayRunAnywhere) {
     std::atomic<int> present{0};
     executor->with_team([&] {
       for_each_index(*executor, 2, 1, [&](std::size_t k) {
-        for (++present; present < 2;) std::this_thread::yield();
+        meet(present);
         seen[k] = allowed();
       });
     });
@@ -225,7 +232,7 @@ TEST(ProcessorShares, KeepThreadsOfAnOpenMpExecutorApart) {
       std::vector<Processors> others(2);
       std::atomic<int> present{0};
       for_each_index(*executor, 2, 1, [&](std::size_t k) {
-        for (++present; present < 2;) std::this_thread::yield();
+        meet(present);
         if (std::this_thread::get_id() != caller) others[k] = allowed();
       });
       return union_of(others);
