@@ -110,6 +110,10 @@ void Colony::make_walkers(const Executor& executor) {
     queues_.emplace_back().join(queues_.front());
     walkers_.emplace_back(groups_.empty() ? *ground_ : *groups_[k]->ground, lanes);
   }
+  shared_.reset();
+  if (executor.threads() > 1) {
+    shared_.emplace(nest_, *trail_, ants, static_cast<std::size_t>(executor.threads()));
+  }
   deposits_.reset();
   roll_call_.reset();
   const bool may_be_early = rule_.deposits_early() != Early::no && nest_.size() <= cells_worth_a_draft;

@@ -18,6 +18,7 @@
 #include "algorithms/aco/early_deposits.hpp"
 #include "algorithms/aco/nest.hpp"
 #include "algorithms/aco/pheromone_rule.hpp"
+#include "algorithms/aco/shared_deposits.hpp"
 #include "algorithms/aco/trail.hpp"
 #include "algorithms/aco/walk.hpp"
 #include "algorithms/aco/walker.hpp"
@@ -104,6 +105,7 @@ class Colony {
   std::uint32_t round_ = 0;                // of walks, over all runs
   std::optional<RollCall> roll_call_;      // where there are deposits_, which wait for the ants that sign
   std::optional<EarlyDeposits> deposits_;  // where several threads walk and the rule admits it
+  std::optional<SharedDeposits> shared_;   // where there are several threads
   std::vector<Walk> walks_;
   std::vector<double> amounts_;  // a slot per walk
   Walk best_;

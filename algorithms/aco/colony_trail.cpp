@@ -16,7 +16,7 @@ void Colony::imprint(std::size_t count) {
   if (deposits_ && deposits_->finish(count)) return;
   const Imprint imprint = rule_.imprint();
   if (imprint.persistence != 1) trail_->evaporate(imprint.persistence);
-  if (imprint.factor == 1 && !imprint.of_the_dead && !imprint.on_popped) return deposit_all(count);
+  if (imprint.is_deposit()) return deposit_all(count);
   for (std::size_t k = 0; k < count; ++k) {
     const Walk& walk = walks_[k];
     if (!walk.arrived && !imprint.of_the_dead) continue;
@@ -29,24 +29,15 @@ void Colony::imprint(std::size_t count) {
   }
 }
 
-// Few steps are not worth a loop on several threads. Shared out, a step's deposits still come in ant order.
+// Few steps are not worth a loop on several threads.
 void Colony::deposit_all(std::size_t count) {
   std::size_t steps = 0;
   for (std::size_t k = 0; k < count; ++k) {
     amounts_[k] = walks_[k].arrived ? rule_.amount(walks_[k]) : 0;
     steps += walks_[k].arrived ? walks_[k].directions.size() : 0;
   }
-  const std::size_t parts = steps < steps_worth_sharing ? 1 : static_cast<std::size_t>(executor_->threads());
-  const std::size_t cells = (nest_.size() + parts - 1) / parts;
-  const auto deposit_within = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = 0; k < count; ++k) {
-      if (!walks_[k].arrived) continue;
-      trail_->change_along({begin, end}, nest_.start(), walks_[k].directions, 1, amounts_[k],
-                           settings_.both_ways);
-    }
-  };
-  if (parts == 1) return deposit_in_turn(count);
-  executor_->run(nest_.size(), cells, deposit_within);
+  if (!shared_ || steps < steps_worth_sharing) return deposit_in_turn(count);
+  shared_->deposit({walks_.data(), count}, {amounts_.data(), count}, settings_.both_ways, *executor_);
 }
 
 void Colony::deposit_in_turn(std::size_t count) {

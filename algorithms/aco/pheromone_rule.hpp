@@ -42,6 +42,9 @@ struct Imprint {
   double factor = 1;         ///< not negative
   bool of_the_dead = false;  ///< ants that did not arrive leave one, too
   bool on_popped = false;    ///< on steps that were taken back, too, after those of the path
+
+  /// Nothing but eq. (3): those who arrived add to their paths.
+  bool is_deposit() const { return factor == 1 && !of_the_dead && !on_popped; }
 };
 
 /// May deposits, imprints that is, be made while other ants still walk?

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algorithms/aco/band.hpp"
 #include "algorithms/aco/power.hpp"
 
 namespace pathrace::algorithms {
@@ -87,44 +86,37 @@ void Trail::change(std::size_t index, int direction, double factor, double amoun
   if (!stored_.empty()) rows_[index].strength[static_cast<std::size_t>(direction)] = strength_of(tau);
 }
 
-void Trail::change_along(CellRange cells, std::size_t index, std::span<const std::uint8_t> directions,
-                         double factor, double amount, bool both_ways) {
-  if (!draft_.empty()) mark_changes(cells, index, directions);
-  if (stored_.empty()) return change_strengths(cells, index, directions, factor, amount, both_ways);
+void Trail::change_along(std::size_t index, std::span<const std::uint8_t> directions, double factor,
+                         double amount, bool both_ways) {
+  if (!draft_.empty()) mark_changes(index, directions, both_ways);
+  if (stored_.empty()) return change_strengths(index, directions, factor, amount, both_ways);
   for (const std::uint8_t direction : directions) {
-    if (cells.contains(index)) change(index, direction, factor, amount);
+    change(index, direction, factor, amount, both_ways);
     index = moves_.step(index, direction);
-    if (both_ways && cells.contains(index)) change(index, opposite(direction), factor, amount);
   }
 }
 
-void Trail::mark_changes(CellRange cells, std::size_t index, std::span<const std::uint8_t> directions) {
-  if (cells.contains(index)) changed_.add(index);
+void Trail::mark_changes(std::size_t index, std::span<const std::uint8_t> directions, bool both_ways) {
   for (const std::uint8_t direction : directions) {
+    changed_.add(index);
     index = moves_.step(index, direction);
-    if (cells.contains(index)) changed_.add(index);
   }
+  if (both_ways) changed_.add(index);
 }
 
 // The hot form of `change`, for alpha = 1, where strength and stored tau are the same.
-void Trail::change_strengths(CellRange cells, std::size_t index, std::span<const std::uint8_t> directions,
-                             double factor, double amount, bool both_ways) {
-  const float least = least_;
-  const float most = most_;
+void Trail::change_strengths(std::size_t index, std::span<const std::uint8_t> directions, double factor,
+                             double amount, bool both_ways) {
   const auto kept = static_cast<float>(factor);
   const auto added = static_cast<float>(amount / scale_);
   float* const row = rows_[index].strength.data();
-  const Band band(rows_.data(), cells.begin, cells.end);
-  const bool everywhere = cells.end - cells.begin == rows_.size();
-  const auto go = [&]<bool there_and_back>(const auto& change) {
-    if (!everywhere) return for_each_strength_of<there_and_back>(band, row, steps_, directions, change);
-    for_each_strength<there_and_back>(row, steps_, directions, change, [](const float*) {});
-  };
   const auto along = [&](const auto& change) {
-    both_ways ? go.template operator()<true>(change) : go.template operator()<false>(change);
+    const auto ignore = [](const float*) {};
+    both_ways ? for_each_strength<true>(row, steps_, directions, change, ignore)
+              : for_each_strength<false>(row, steps_, directions, change, ignore);
   };
-  if (kept == 1 && added >= 0) return along(addition(added, least, most));
-  along(alteration(kept, added, least, most));
+  if (kept == 1 && added >= 0) return along(addition(added, least_, most_));
+  along(alteration(kept, added, least_, most_));
 }
 
 void Trail::Deposits::add(std::size_t index, std::span<const std::uint8_t> directions, double amount,

@@ -29,14 +29,6 @@
 
 namespace pathrace::algorithms {
 
-/// The cells begin..end-1.
-struct CellRange {
-  std::size_t begin = 0;
-  std::size_t end = 0;
-
-  bool contains(std::size_t index) const { return index - begin < end - begin; }
-};
-
 class Trail {
  public:
   /// eta of the step in `direction` from the cell with this padded index; positive.
@@ -74,15 +66,10 @@ class Trail {
     change(index, direction, 1, amount, both_ways);
   }
 
-  /// `change` on each step of a path from `index` on.
+  /// `change` on each step of a path from `index` on. Threads may do so at the same time when the
+  /// steps that they change are out of different cells.
   void change_along(std::size_t index, std::span<const std::uint8_t> directions, double factor, double amount,
-                    bool both_ways) {
-    change_along({0, rows_.size()}, index, directions, factor, amount, both_ways);
-  }
-  /// The same, but only on steps out of these cells. Threads that share the cells out among them may call
-  /// this at the same time: nobody else touches a step that is somebody's.
-  void change_along(CellRange cells, std::size_t index, std::span<const std::uint8_t> directions,
-                    double factor, double amount, bool both_ways);
+                    bool both_ways);
 
   class Deposits;
 
@@ -136,9 +123,9 @@ class Trail {
   float& stored(std::size_t index, int direction);
   const float& stored(std::size_t index, int direction) const;
   float strength_of(float stored) const;
-  void change_strengths(CellRange cells, std::size_t index, std::span<const std::uint8_t> directions,
-                        double factor, double amount, bool both_ways);
-  void mark_changes(CellRange cells, std::size_t index, std::span<const std::uint8_t> directions);
+  void change_strengths(std::size_t index, std::span<const std::uint8_t> directions, double factor,
+                        double amount, bool both_ways);
+  void mark_changes(std::size_t index, std::span<const std::uint8_t> directions, bool both_ways);
   /// These make the copies, and the draft, what the trail is.
   void write_copies();
   void fill_draft();

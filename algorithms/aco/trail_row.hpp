@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 
 #include "core/moves.hpp"
@@ -27,16 +26,11 @@ struct RowSteps {
       const auto k = static_cast<std::size_t>(d);
       on[k] = moves.offset(d) * static_cast<std::ptrdiff_t>(floats_per_row);
       back[k] = on[k] + opposite(d);
-      farthest = std::max(farthest, std::abs(on[k]) + direction_count);
     }
   }
 
-  /// How far off, in floats, a strength of `count` steps can be, at the rows they lead to too.
-  std::ptrdiff_t reach(std::size_t count) const { return static_cast<std::ptrdiff_t>(count) * farthest; }
-
   std::array<std::ptrdiff_t, direction_count> on;    ///< to the row it leads to
   std::array<std::ptrdiff_t, direction_count> back;  ///< and there to the step back
-  std::ptrdiff_t farthest = 0;                       ///< of all these
 };
 
 /// Changes a strength, within limits.

@@ -54,11 +54,15 @@ struct Outing {
 /// On lines of its own: neighbours in a vector belong to threads of their own.
 class alignas(128) Walker {
  public:
-  /// As many lanes as are fastest on a map of this many cells: where what ants read no longer fits the
-  /// second-level cache, a step is mostly waiting, and more ants are needed to fill the wait. Fewer again
-  /// where their memory would run to gigabytes.
+  /// Beyond the first-level cache: whether what a step reads is worth asking for ahead of time.
+  static constexpr bool is_far(std::size_t cells) { return cells > 1U << 12; }
+
+  /// As many lanes as are fastest on a map of this many cells: the further away what ants read is, the more
+  /// of a step is waiting, and the more ants are needed to fill the wait. Fewer again where their memory
+  /// would run to gigabytes.
   static constexpr std::size_t lanes_for(std::size_t cells) {
-    return cells > 1U << 15 && cells < 1U << 21 ? 12 : 4;
+    if (!is_far(cells) || cells >= 1U << 21) return 4;
+    return cells > 1U << 15 ? 12 : 8;
   }
 
   /// 1 to Draws::capacity lanes.
@@ -71,9 +75,6 @@ class alignas(128) Walker {
 
  private:
   static constexpr std::uint64_t clock_interval = 1024;
-
-  // Beyond the first-level cache: whether what a step reads is worth asking for ahead of time.
-  static constexpr bool is_far(std::size_t cells) { return cells > 1U << 12; }
 
   // What a step of an ant reads and changes.
   struct Foot {

@@ -77,11 +77,10 @@ TEST(TrailDraft, ADraftFollowsWhateverElseChangesTheTrail) {
       if (round % 2 == 0) walk.resize(4);  // likely to come to no row twice, so that it is held
     }
     const double amount = 2 * stream.uniform();
-    const auto cut = static_cast<std::size_t>(stream.between(0, static_cast<int>(end)));
     const int deed = round % 8;
     if (deed == 0) both([&](Trail& trail) { trail.change(first, 3, 0.5, amount); });
     if (deed == 1) both([&](Trail& trail) { trail.change_along(first, walk, 0.7, amount, true); });
-    if (deed == 2) both([&](Trail& trail) { trail.change_along({cut, end}, first, walk, 1, amount, false); });
+    if (deed == 2) both([&](Trail& trail) { trail.change_along(first, walk, 1, amount, false); });
     if (deed == 3) both([&](Trail& trail) { trail.limit(0.01 + amount / 100, 5 + amount); });
     if (deed == 4) both([&](Trail& trail) { trail.reset(amount); });
     if (deed == 5) both([&](Trail& trail) { trail.set(first, 5, amount); });
