@@ -25,6 +25,9 @@ class Draws {
     bits_[to] = bits_[from];
   }
 
+  /// Column `to` goes on where column `from` of others stands, which is not to be used any more.
+  void take(const Draws& others, std::size_t from, std::size_t to) { put(to, others.taken(from)); }
+
   /// The next draw of columns 0..count-1, and of those up to the next multiple of four, which then go astray.
   void advance(std::size_t count) {
     for (std::size_t first = 0; first < count; first += width) quads_[first / width].advance(&bits_[first]);

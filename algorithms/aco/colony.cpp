@@ -24,7 +24,8 @@ Trail::Heuristic heuristic(const ColonySettings& settings, const Nest& nest) {
   };
 }
 
-constexpr std::size_t cells_worth_a_draft = 4096;  // a draft is a copy of them all
+constexpr std::size_t cells_worth_a_draft = 4096;      // a draft is a copy of them all
+constexpr std::size_t cells_worth_a_hand_over = 4096;  // on fewer, walks are over before it pays
 
 std::uint64_t max_steps(const ColonySettings& settings, const Nest& nest) {
   if (settings.max_steps > 0) return static_cast<std::uint64_t>(settings.max_steps);
@@ -104,11 +105,13 @@ void Colony::make_walkers(const Executor& executor) {
       groups_.empty() ? std::min(ants, static_cast<std::size_t>(executor.threads())) : groups_.size();
   group_size_ = (ants + count - 1) / count;
   const std::size_t lanes = std::min(group_size_, Walker::lanes_for(nest_.size()));
+  const bool hand_ants_over = groups_.empty() && nest_.size() >= cells_worth_a_hand_over;
   walkers_.clear();
   queues_.clear();
   for (std::size_t k = 0; k < count; ++k) {
     queues_.emplace_back().join(queues_.front());
     walkers_.emplace_back(groups_.empty() ? *ground_ : *groups_[k]->ground, lanes);
+    if (hand_ants_over) walkers_.back().join(walkers_.front());
   }
   shared_.reset();
   if (executor.threads() > 1) {

@@ -99,7 +99,7 @@ class Colony {
   std::optional<Trail> trail_;
   std::optional<Ground> ground_;
   std::vector<std::unique_ptr<Group>> groups_;
-  std::vector<Walker> walkers_;  // one per thread, or per group
+  std::deque<Walker> walkers_;   // one per thread, or per group
   std::deque<AntQueue> queues_;  // one per walker; groups have theirs
   std::size_t group_size_ = 1;
   std::uint32_t round_ = 0;                // of walks, over all runs

@@ -47,6 +47,7 @@ Walker::Walker(const Ground& ground, std::size_t lanes) : ground_(ground), lanes
 
 void Walker::run(AntQueue& ants, const Outing& outing, EarlyDeposits* deposits) {
   outing_ = &outing;
+  taken_over_ = 0;
   deposits_ = deposits;
   limit_ = std::min(outing.step_limit, ground_.max_steps);
   paths_.resize(outing.walks.size());
@@ -67,15 +68,27 @@ void Walker::run(AntQueue& ants, const Outing& outing, EarlyDeposits* deposits) 
 template <Walker::Gait gait>
 void Walker::run_lanes(AntQueue& ants) {
   const TrailRow* const rows = deposits_ != nullptr ? ground_.trail.rows() : ground_.trail.rows_for_others();
-  const Terms terms(ground_, rows, first_offsets_);
   std::size_t under_way = 0;
-  std::size_t due = lanes_.size();  // so many have to be back for deposits to go on; one at the end
   while (under_way < lanes_.size()) {
     const std::size_t ant = ants.take();
     if (ant == AntQueue::none) break;
     begin(under_way++, ant);
   }
-  std::size_t back = 0;  // since deposits went on last
+  do {
+    if (under_way > 1) under_way = walk_side_by_side<gait>(ants, under_way, rows);
+    if (under_way == 1) walk_one_by_one<gait>(ants, rows);
+    under_way = hand_over_.ask();
+    taken_over_ += under_way;
+  } while (under_way > 0);
+}
+
+// To the last, or until the last has been given away. Returns how many are left.
+template <Walker::Gait gait>
+std::size_t Walker::walk_side_by_side(AntQueue& ants, std::size_t under_way, const TrailRow* rows) {
+  const Terms terms(ground_, rows, first_offsets_);
+  const HandOver::Open open(hand_over_);
+  std::size_t due = lanes_.size();  // so many have to be back for deposits to go on; one at the end
+  std::size_t back = 0;             // since deposits went on last
   while (under_way > 1) {
     draws_.advance(under_way);
     for (std::size_t k = 0; k < under_way;) {
@@ -99,8 +112,14 @@ void Walker::run_lanes(AntQueue& ants) {
       deposits_->go_on();
       back = 0;
     }
+    if (hand_over_.is_asked()) under_way = give(under_way);
   }
-  while (under_way == 1) {
+  return under_way;
+}
+
+template <Walker::Gait gait>
+void Walker::walk_one_by_one(AntQueue& ants, const TrailRow* rows) {
+  while (true) {
     Outcome outcome = Outcome::goes_on;
     while (outcome == Outcome::goes_on) outcome = walk_alone<gait>(rows);
     finish(lanes_[0], outcome == Outcome::arrived);
@@ -109,6 +128,19 @@ void Walker::run_lanes(AntQueue& ants) {
     if (ant == AntQueue::none) return;
     begin(0, ant);
   }
+}
+
+std::size_t Walker::give(std::size_t under_way) {
+  const std::size_t count = under_way / 2;
+  hand_over_.answer([&](Walker& asking) {
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t last = under_way - 1 - k;
+      std::swap(asking.lanes_[k], lanes_[last]);
+      asking.draws_.take(draws_, last, k);
+    }
+    return count;
+  });
+  return under_way - count;
 }
 
 void Walker::begin(std::size_t k, std::size_t ant) {

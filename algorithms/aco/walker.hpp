@@ -18,6 +18,7 @@
 #include "algorithms/aco/choice.hpp"
 #include "algorithms/aco/dead_end.hpp"
 #include "algorithms/aco/early_deposits.hpp"
+#include "algorithms/aco/hand_over.hpp"
 #include "algorithms/aco/nest.hpp"
 #include "algorithms/aco/roll_call.hpp"
 #include "algorithms/aco/trail.hpp"
@@ -51,7 +52,7 @@ struct Outing {
 };
 
 /// Runs ants one after another or side by side. Not for use by two threads at once.
-/// On lines of its own: neighbours in a vector belong to threads of their own.
+/// On lines of its own: neighbours belong to threads of their own.
 class alignas(128) Walker {
  public:
   /// Beyond the first-level cache: whether what a step reads is worth asking for ahead of time.
@@ -67,11 +68,20 @@ class alignas(128) Walker {
 
   /// 1 to Draws::capacity lanes.
   explicit Walker(const Ground& ground, std::size_t lanes);
+  Walker(const Walker&) = delete;
+  Walker& operator=(const Walker&) = delete;
+
+  /// From now on the two, and all that either has joined, hand ants over. They have the same ground, number
+  /// of lanes and outings.
+  void join(Walker& other) { hand_over_.join(other.hand_over_); }
 
   /// Walks ants of the queue until it is empty: one draw per decision (loop erasure draws twice when it is
-  /// stuck), to the goal, to death, or to the limit. With `deposits`, goes on with them when ants are back;
+  /// stuck), to the goal, to death, or to the limit; then takes ants over from walkers it has joined, and
+  /// returns when these have none to give. With `deposits`, goes on with them when ants are back;
   /// without, reads the rows for others while there are some.
   void run(AntQueue& ants, const Outing& outing, EarlyDeposits* deposits = nullptr);
+  /// How many ants it has taken over from others in the last run.
+  std::size_t taken_over() const { return taken_over_; }
 
  private:
   static constexpr std::uint64_t clock_interval = 1024;
@@ -147,6 +157,10 @@ class alignas(128) Walker {
 
   template <Gait gait>
   void run_lanes(AntQueue& ants);
+  template <Gait gait>
+  std::size_t walk_side_by_side(AntQueue& ants, std::size_t under_way, const TrailRow* rows);
+  template <Gait gait>
+  void walk_one_by_one(AntQueue& ants, const TrailRow* rows);
   /// What a step is made of is inline, whatever else is called: the loop would lose a seventh of its speed.
   template <Gait gait>
   [[gnu::always_inline]] inline Outcome step(std::size_t k, const Terms& terms);
@@ -177,6 +191,8 @@ class alignas(128) Walker {
     __builtin_prefetch(marks);
     __builtin_prefetch(marks + stride);
   }
+  /// Gives the last half of so many lanes away, to the walker that asks. Returns how many are left.
+  [[gnu::noinline]] std::size_t give(std::size_t under_way);
   bool may_go_on(Lane& lane) const;
   /// Marks what is not marked yet.
   static void settle(Lane& lane);
@@ -195,7 +211,9 @@ class alignas(128) Walker {
   const Outing* outing_ = nullptr;
   EarlyDeposits* deposits_ = nullptr;
   std::uint64_t limit_ = 0;
+  std::size_t taken_over_ = 0;
   FirstOffsets first_offsets_{};
+  HandOver hand_over_{*this};
 };
 
 }  // namespace pathrace::algorithms

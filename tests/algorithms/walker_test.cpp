@@ -3,68 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
-
+#include "tests/algorithms/walk_field.hpp"
 #include "tests/support/maps.hpp"
-#include "tests/support/oracle.hpp"
 #include "tests/support/walks.hpp"
 
 namespace pathrace::algorithms {
 namespace {
 
 using pathrace::testing::grid_of;
-
-constexpr std::uint64_t no_limit = 1'000'000;
-constexpr auto equal = [](std::size_t, int) { return 1.0; };
-
-struct Field {
-  Field(OccupancyGrid map, MoveRule rule, Cell start, Cell goal, const Trail::Heuristic& eta = equal)
-      : grid(std::move(map)), nest({grid, rule, start, goal}), trail(nest.moves(), 1, 1, 1, eta) {}
-
-  Ground ground(DeadEnd dead_end) const {
-    Ground ground{nest, trail};
-    ground.dead_end = dead_end;
-    ground.max_steps = no_limit;
-    ground.keep_the_dead = true;
-    ground.keep_popped = true;
-    return ground;
-  }
-
-  std::vector<Walk> walk(DeadEnd dead_end, std::size_t ants, std::uint64_t seed,
-                         std::uint64_t limit = no_limit) const {
-    return walk_on(ground(dead_end), ants, seed, limit, 4);
-  }
-
-  // Then steps back are taken by the same instructions as others, unless they are listed.
-  void let_every_step_weigh() {
-    trail.limit(0x1p-40, Trail::no_limit);
-    EXPECT_TRUE(trail.every_step_weighs());
-  }
-
-  static std::vector<Walk> walk_on(const Ground& ground, std::size_t ants, std::uint64_t seed,
-                                   std::uint64_t limit, std::size_t lanes) {
-    std::vector<Walk> walks(ants);
-    AntQueue queue(0, ants);
-    const Stream stream(seed);
-    const Meter meter({});
-    Walker(ground, lanes).run(queue, {stream, limit, meter, walks});
-    return walks;
-  }
-
-  void expect_simple_and_legal(const Walk& walk) const {
-    const std::vector<std::uint32_t> cells = cells_of(nest, walk);
-    EXPECT_EQ(std::set<std::uint32_t>(cells.begin(), cells.end()).size(), cells.size());
-    for_each_step(nest, walk, [&](std::size_t index, int d) { EXPECT_NE(nest.moves()[index] >> d & 1, 0); });
-    EXPECT_EQ(static_cast<std::size_t>(walk.length.straight + walk.length.diagonal), walk.directions.size());
-    if (walk.arrived) {
-      EXPECT_EQ(cells.back(), nest.goal());
-    }
-  }
-
-  OccupancyGrid grid;
-  Nest nest;
-  Trail trail;
-};
 
 struct PlainRule final : PheromoneRule {
   using PheromoneRule::PheromoneRule;
@@ -73,7 +19,8 @@ struct PlainRule final : PheromoneRule {
 };
 
 TEST(Walker, NeverStepsOnACellTwiceAndArrivesWithItsExactLength) {
-  const Field field(grid_of({".....", ".....", ".....", ".....", "....."}), MoveRule::strict, {0, 0}, {4, 4});
+  const WalkField field(grid_of({".....", ".....", ".....", ".....", "....."}), MoveRule::strict, {0, 0},
+                        {4, 4});
   int arrived = 0;
   for (const Walk& walk : field.walk(DeadEnd::die, 300, 43)) {
     field.expect_simple_and_legal(walk);
@@ -86,7 +33,7 @@ TEST(Walker, NeverStepsOnACellTwiceAndArrivesWithItsExactLength) {
 }
 
 TEST(Walker, CountsTurnsWhereItIsAskedTo) {
-  const Field field(grid_of({"....", "....", "....", "...."}), MoveRule::strict, {0, 0}, {3, 3});
+  const WalkField field(grid_of({"....", "....", "....", "...."}), MoveRule::strict, {0, 0}, {3, 3});
   for (const bool asked : {false, true}) {
     Ground ground = field.ground(DeadEnd::backtrack);
     ground.count_turns = asked;
@@ -99,59 +46,8 @@ TEST(Walker, CountsTurnsWhereItIsAskedTo) {
   }
 }
 
-TEST(Walker, DiesInADeadEndWhenToldTo) {
-  const Field field(grid_of({"...", "##.", "..."}), MoveRule::four, {1, 0}, {0, 0},
-                    [](std::size_t, int d) { return d == 0 ? 1e9 : 1e-9; });
-  EXPECT_FALSE(field.walk(DeadEnd::die, 1, 1)[0].arrived);
-}
-
-TEST(Walker, BacktrackingArrivesOnEveryConnectedMap) {
-  int solvable = 0;
-  for (std::uint64_t i = 0; i < 200; ++i) {
-    const testing::Question question = testing::random_question(Stream(47).fork(i), 15, 0.4);
-    if (question.start == question.goal) continue;
-    const Field field(question.grid, MoveRule::strict, question.start, question.goal);
-    const Walk walk = field.walk(DeadEnd::backtrack, 1, i)[0];
-    const bool reachable =
-        testing::oracle_reachable(question.grid, MoveRule::strict, question.start, question.goal);
-    EXPECT_EQ(walk.arrived, reachable) << i;
-    EXPECT_EQ(walk.pops, walk.popped.size());
-    if (walk.arrived) {
-      EXPECT_EQ(walk.decisions, walk.directions.size() + 2 * walk.pops) << i;  // forwards, and forth and back
-    }
-    field.expect_simple_and_legal(walk);
-    solvable += reachable ? 1 : 0;
-  }
-  EXPECT_GT(solvable, 50);
-}
-
-// A corridor to the goal with a blind alley beside it.
-const std::vector<std::string> alley = {"..........", ".########.", ".........#", "########.#", ".........#"};
-
-TEST(Walker, LoopErasureLeavesASimpleLegalPath) {
-  const Field field(grid_of(alley), MoveRule::strict, {0, 0}, {9, 0});
-  bool turned_back = false;
-  for (const Walk& walk : field.walk(DeadEnd::revisit_with_loop_erasure, 200, 59)) {
-    ASSERT_TRUE(walk.arrived);
-    field.expect_simple_and_legal(walk);
-    turned_back = turned_back || walk.decisions > walk.directions.size();
-  }
-  EXPECT_TRUE(turned_back);  // some walks did go into the alley
-}
-
-TEST(Walker, StepsTakenBackAreListedInTheirOrder) {
-  // Two blind cells behind the start; the ant is drawn into them and out again.
-  const Field field(grid_of({"....."}), MoveRule::four, {2, 0}, {4, 0},
-                    [](std::size_t, int d) { return d == 4 ? 1e9 : 1e-9; });
-  const Walk walk = field.walk(DeadEnd::backtrack, 1, 5)[0];
-  ASSERT_TRUE(walk.arrived);
-  const auto cell = [&](int x) { return static_cast<std::uint32_t>(field.grid.index({x, 0})); };
-  EXPECT_EQ(walk.popped, (std::vector<Step>{{cell(1), 4}, {cell(2), 4}}));
-  EXPECT_EQ(walk.directions, (std::vector<std::uint8_t>{0, 0}));
-}
-
 TEST(Walker, EveryAntThatIsBackSigns) {
-  const Field field(grid_of({"...", "..."}), MoveRule::strict, {0, 0}, {2, 1});
+  const WalkField field(grid_of({"...", "..."}), MoveRule::strict, {0, 0}, {2, 1});
   const Ground ground = field.ground(DeadEnd::die);
   std::vector<Walk> walks(5);
   AntQueue queue(1, 5);
@@ -166,7 +62,7 @@ TEST(Walker, EveryAntThatIsBackSigns) {
 // A walk is written only where it differs from the one before in its slot; whatever that was, the new one is
 // all there.
 TEST(Walker, WhatAWalkWasBeforeDoesNotShow) {
-  const Field field(grid_of({"....", ".#..", "...#", "...."}), MoveRule::free, {0, 0}, {3, 3});
+  const WalkField field(grid_of({"....", ".#..", "...#", "...."}), MoveRule::free, {0, 0}, {3, 3});
   for (const DeadEnd dead_end : {DeadEnd::die, DeadEnd::backtrack, DeadEnd::revisit_with_loop_erasure}) {
     Ground ground = field.ground(dead_end);
     ground.keep_popped = ground.count_turns = true;
@@ -192,7 +88,7 @@ TEST(Walker, WhatAWalkWasBeforeDoesNotShow) {
 // say.
 TEST(Walker, ReadsTheCopiesForOthersUnlessItDeposits) {
   const OccupancyGrid map = grid_of({"...", "...", "..."});
-  Field field(map, MoveRule::four, {0, 0}, {2, 2});
+  WalkField field(map, MoveRule::four, {0, 0}, {2, 2});
   const auto prefer = [&](int direction, double pheromone) {
     for (int y = 0; y < 3; ++y) {
       for (int x = 0; x < 3; ++x) {
@@ -224,7 +120,7 @@ TEST(Walker, ReadsTheCopiesForOthersUnlessItDeposits) {
 
 // However many lanes and ants there are, and although deposits wait until a few ants are back.
 TEST(Walker, WhenItsLastAntIsBackSoAreAllDeposits) {
-  Field field(grid_of({"...", "...", "..."}), MoveRule::four, {0, 0}, {2, 2});
+  WalkField field(grid_of({"...", "...", "..."}), MoveRule::four, {0, 0}, {2, 2});
   const ColonySettings settings;
   const PlainRule rule(settings);
   const Ground ground = field.ground(DeadEnd::backtrack);
@@ -242,7 +138,7 @@ TEST(Walker, WhenItsLastAntIsBackSoAreAllDeposits) {
 }
 
 TEST(Walker, TheDeadLeaveNoPathUnlessTheyAreAskedTo) {
-  const Field field(grid_of({"....", ".#..", "...#", "...."}), MoveRule::strict, {0, 0}, {3, 3});
+  const WalkField field(grid_of({"....", ".#..", "...#", "...."}), MoveRule::strict, {0, 0}, {3, 3});
   for (const bool asked : {true, false}) {
     Ground ground = field.ground(DeadEnd::die);
     ground.keep_the_dead = asked;
@@ -263,7 +159,7 @@ TEST(Walker, TheDeadLeaveNoPathUnlessTheyAreAskedTo) {
 }
 
 TEST(Walker, StopsAtTheStepLimit) {
-  const Field field(grid_of({"..................."}), MoveRule::four, {0, 0}, {18, 0});
+  const WalkField field(grid_of({"..................."}), MoveRule::four, {0, 0}, {18, 0});
   const Walk walk = field.walk(DeadEnd::die, 1, 1, 7)[0];
   EXPECT_FALSE(walk.arrived);
   EXPECT_EQ(walk.decisions, 7U);
@@ -273,8 +169,8 @@ TEST(Walker, StopsAtTheStepLimit) {
 TEST(Walker, GivesTheSameWalksHoweverManyWalkSideBySide) {
   for (const int side : {20, 70}) {
     const std::size_t ants = side == 20 ? 150 : 30;
-    Field field(testing::random_grid(Stream(67), side, side, 0.25), MoveRule::strict, {0, 0},
-                {side - 1, side - 1});
+    WalkField field(testing::random_grid(Stream(67), side, side, 0.25), MoveRule::strict, {0, 0},
+                    {side - 1, side - 1});
     field.let_every_step_weigh();
     for (const DeadEnd dead_end : {DeadEnd::die, DeadEnd::backtrack, DeadEnd::revisit_with_loop_erasure}) {
       for (const double q0 : {0.0, 0.5}) {
@@ -282,9 +178,9 @@ TEST(Walker, GivesTheSameWalksHoweverManyWalkSideBySide) {
           Ground ground = field.ground(dead_end);
           ground.q0 = q0;
           ground.keep_popped = keep_popped;
-          const std::vector<Walk> expected = Field::walk_on(ground, ants, 61, 3000, 1);
+          const std::vector<Walk> expected = WalkField::walk_on(ground, ants, 61, 3000, 1);
           for (const std::size_t lanes : {2U, 3U, 4U, 8U}) {
-            EXPECT_EQ(Field::walk_on(ground, ants, 61, 3000, lanes), expected)
+            EXPECT_EQ(WalkField::walk_on(ground, ants, 61, 3000, lanes), expected)
                 << name(dead_end) << ' ' << side << ' ' << q0 << ' ' << keep_popped << ' ' << lanes;
           }
         }
@@ -293,54 +189,8 @@ TEST(Walker, GivesTheSameWalksHoweverManyWalkSideBySide) {
   }
 }
 
-TEST(Walker, CountsTheStepsThatAreTakenBackWhetherItListsThemOrNot) {
-  Field field(testing::random_grid(Stream(67), 20, 20, 0.3), MoveRule::strict, {0, 0}, {19, 19});
-  field.let_every_step_weigh();
-  for (const std::uint64_t limit : {std::uint64_t{100}, no_limit}) {
-    Ground ground = field.ground(DeadEnd::backtrack);
-    const std::vector<Walk> listed = Field::walk_on(ground, 200, 61, limit, 4);
-    ground.keep_popped = false;
-    const std::vector<Walk> counted = Field::walk_on(ground, 200, 61, limit, 4);
-    std::size_t pops = 0;
-    for (std::size_t ant = 0; ant < listed.size(); ++ant) {
-      EXPECT_EQ(listed[ant].pops, listed[ant].popped.size()) << ant;
-      EXPECT_EQ(counted[ant].pops, listed[ant].pops) << ant;
-      pops += listed[ant].pops;
-    }
-    EXPECT_GT(pops, 0U);
-  }
-}
-
-// All that can be reached is a pocket of three cells: there and back, and one decision more to find that out.
-TEST(Walker, WhoHasSeenAllHasTakenEveryStepBack) {
-  Field field(grid_of({"...#."}), MoveRule::four, {0, 0}, {4, 0});
-  field.let_every_step_weigh();
-  for (const bool keep_popped : {false, true}) {
-    Ground ground = field.ground(DeadEnd::backtrack);
-    ground.keep_popped = keep_popped;
-    for (const Walk& walk : Field::walk_on(ground, 3, 1, no_limit, 2)) {
-      EXPECT_FALSE(walk.arrived);
-      EXPECT_EQ(walk.decisions, 5U);
-      EXPECT_EQ(walk.pops, 2U);
-    }
-  }
-}
-
-TEST(Walker, WithoutStepsBackNoneAreCounted) {
-  const Field field(testing::random_grid(Stream(67), 20, 20, 0.3), MoveRule::strict, {0, 0}, {19, 19});
-  for (const DeadEnd dead_end : {DeadEnd::die, DeadEnd::revisit_with_loop_erasure}) {
-    for (const Walk& walk : field.walk(dead_end, 200, 61, 500)) EXPECT_EQ(walk.pops, 0U) << name(dead_end);
-  }
-}
-
-TEST(Walker, StillChoosesWhenEveryWeightHasUnderflown) {
-  Field field(grid_of({"....."}), MoveRule::four, {0, 0}, {4, 0});
-  field.trail.evaporate(0);
-  EXPECT_TRUE(field.walk(DeadEnd::die, 1, 1)[0].arrived);
-}
-
 TEST(Nest, AClosedCellIsNoObstacleForTheCornerRule) {
-  const Field open(grid_of({"..", ".."}), MoveRule::strict, {0, 0}, {1, 1});
+  const WalkField open(grid_of({"..", ".."}), MoveRule::strict, {0, 0}, {1, 1});
   Nest nest = open.nest;
   nest.close(open.grid.index({1, 0}));
   EXPECT_EQ(nest.open(nest.start()), 1U << 1 | 1U << 2);  // SE past it, and S
@@ -349,7 +199,7 @@ TEST(Nest, AClosedCellIsNoObstacleForTheCornerRule) {
 }
 
 TEST(Walk, HasCellsALengthAndTurns) {
-  const Field field(grid_of({"....", "...."}), MoveRule::strict, {0, 0}, {3, 1});
+  const WalkField field(grid_of({"....", "...."}), MoveRule::strict, {0, 0}, {3, 1});
   Walk walk;
   walk.directions = {0, 1, 0};
   EXPECT_EQ(length_of(walk.directions), (LatticeLength{2, 1}));
