@@ -1,11 +1,7 @@
 #include "algorithms/aco/hand_over.hpp"
 
-#include <thread>
-
 namespace pathrace::algorithms {
 namespace {
-
-constexpr int looks_in_a_row = 1000;  // tens of microseconds: an answer comes within one step of each lane
 
 void pause() {
 #ifdef __x86_64__
@@ -16,8 +12,9 @@ void pause() {
 }  // namespace
 
 std::size_t HandOver::ask() {
+  int patience = longest_wait;
   bool others_ask = true;
-  while (others_ask) {
+  while (others_ask && patience > 0) {
     others_ask = false;
     for (HandOver* other = neighbour_; other != this; other = other->neighbour_) {
       HandOver* asking = other->asking_.load(std::memory_order_relaxed);
@@ -27,21 +24,26 @@ std::size_t HandOver::ask() {
         others_ask = others_ask || asking != other;
         continue;
       }
-      const std::size_t given = wait_for_answer();
+      const std::size_t given = wait_for(*other, patience);
       if (given > 0) return given;
     }
-    if (others_ask) pause();
+    if (others_ask) {
+      pause();
+      --patience;
+    }
   }
   return 0;
 }
 
-// Threads may be more than processors: then who is asked may have to wait for this one's.
-std::size_t HandOver::wait_for_answer() const {
-  for (int looks = 1;; ++looks) {
+// Who does not answer for long is probably not running: there are more threads than processors. Once it has
+// begun to answer, it cannot be left alone any more.
+std::size_t HandOver::wait_for(HandOver& other, int& patience) {
+  while (true) {
     const std::size_t given = given_.load(std::memory_order_acquire);
     if (given != no_answer) return given;
     pause();
-    if (looks % looks_in_a_row == 0) std::this_thread::yield();
+    HandOver* self = this;
+    if (--patience <= 0 && other.asking_.compare_exchange_strong(self, nullptr)) return 0;
   }
 }
 

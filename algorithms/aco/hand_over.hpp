@@ -47,27 +47,30 @@ class alignas(128) HandOver {
 
   /// While open: is there a walker that asks?
   bool is_asked() const { return asking_.load(std::memory_order_relaxed) != nullptr; }
-  /// Once asked: calls `give(walker)` for the one that asks, which waits; it returns how many ants it has
-  /// given.
+  /// While open: calls `give(walker)` for the one that asks, if there still is one; it waits. `give` returns
+  /// how many ants it has given, and so does this.
   template <typename Give>
-  void answer(const Give& give) {
-    HandOver& asking = *asking_.load(std::memory_order_acquire);
-    asking_.store(nullptr, std::memory_order_relaxed);
-    asking.given_.store(give(asking.walker_), std::memory_order_release);
+  std::size_t answer(const Give& give) {
+    HandOver* const asking = asking_.exchange(nullptr, std::memory_order_acquire);
+    if (asking == nullptr) return 0;
+    const std::size_t given = give(asking->walker_);
+    asking->given_.store(given, std::memory_order_release);
+    return given;
   }
 
   /// Asks the others one after another, and waits for their answers. How many ants were given: to the lanes
-  /// from the first on, none of which may be under way. 0 when nobody has any to give.
+  /// from the first on, none of which may be under way. 0 when nobody has any to give, or answers soon.
   std::size_t ask();
 
  private:
   static constexpr std::size_t no_answer = static_cast<std::size_t>(-1);
+  static constexpr int longest_wait = 500;  // looks: some ten microseconds; an answer is due at once
 
   void close() {
     HandOver* const asking = asking_.exchange(this, std::memory_order_acq_rel);
     if (asking != nullptr) asking->given_.store(0, std::memory_order_release);
   }
-  std::size_t wait_for_answer() const;
+  std::size_t wait_for(HandOver& other, int& patience);
 
   Walker& walker_;
   HandOver* neighbour_ = this;

@@ -131,8 +131,8 @@ void Walker::walk_one_by_one(AntQueue& ants, const TrailRow* rows) {
 }
 
 std::size_t Walker::give(std::size_t under_way) {
-  const std::size_t count = under_way / 2;
-  hand_over_.answer([&](Walker& asking) {
+  const std::size_t given = hand_over_.answer([&](Walker& asking) {
+    const std::size_t count = under_way / 2;
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t last = under_way - 1 - k;
       std::swap(asking.lanes_[k], lanes_[last]);
@@ -140,7 +140,7 @@ std::size_t Walker::give(std::size_t under_way) {
     }
     return count;
   });
-  return under_way - count;
+  return under_way - given;
 }
 
 void Walker::begin(std::size_t k, std::size_t ant) {

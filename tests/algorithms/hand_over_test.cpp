@@ -2,6 +2,7 @@
 #include "algorithms/aco/hand_over.hpp"
 
 #include <gtest/gtest.h>
+#include <sched.h>
 
 #include <atomic>
 #include <chrono>
@@ -16,6 +17,12 @@
 namespace pathrace::algorithms {
 namespace {
 
+// That this process may run on.
+int processors() {
+  cpu_set_t set;
+  return sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
+}
+
 class HandOverTest : public ::testing::Test {
  protected:
   HandOverTest() {
@@ -23,8 +30,16 @@ class HandOverTest : public ::testing::Test {
     third.join(first);
   }
 
-  void wait_until_asked() const {
-    while (!first.is_asked()) std::this_thread::yield();
+  // Nobody waits for long: who asks does so again.
+  static std::size_t ask_until_given(HandOver& asking) {
+    std::size_t given = 0;
+    while (given == 0) given = asking.ask();
+    return given;
+  }
+
+  template <typename Give>
+  void answer_one(const Give& give) {
+    while (first.answer(give) == 0) std::this_thread::yield();
   }
 
   WalkField field{testing::grid_of({"..."}), MoveRule::four, {0, 0}, {2, 0}};
@@ -51,9 +66,8 @@ TEST_F(HandOverTest, WhoAsksGetsWhatIsGiven) {
     const HandOver::Open open(first);
     EXPECT_FALSE(first.is_asked());
     std::size_t given = 0;
-    std::thread asks([&] { given = second.ask(); });
-    wait_until_asked();
-    first.answer([&](const Walker& asking) {
+    std::thread asks([&] { given = ask_until_given(second); });
+    answer_one([&](const Walker& asking) {
       EXPECT_EQ(&asking, &two);
       return count;
     });
@@ -63,19 +77,29 @@ TEST_F(HandOverTest, WhoAsksGetsWhatIsGiven) {
   }
 }
 
-TEST_F(HandOverTest, WhoClosesAnswersAll) {
-  std::size_t given = 1;
-  std::thread asks;
-  {
+// Else some of those who ask would wait for ever.
+TEST_F(HandOverTest, WhoClosesAnswers) {
+  std::atomic<bool> done{false};
+  std::size_t given = 0;
+  std::thread asks([&] {
+    while (!done.load()) given += second.ask();
+  });
+  for (int round = 0; round < 100; ++round) {
     const HandOver::Open open(first);
-    asks = std::thread([&] { given = second.ask(); });
-    wait_until_asked();
+    while (!first.is_asked()) std::this_thread::yield();
   }
+  done.store(true);
   asks.join();
   EXPECT_EQ(given, 0U);
 }
 
-// The second one waits for its turn; the one that asks when nothing is left goes on to the next that is open.
+TEST_F(HandOverTest, WhoIsNotAnsweredSoonAsksNoLonger) {
+  const HandOver::Open open(first);
+  EXPECT_EQ(second.ask(), 0U);
+  EXPECT_FALSE(first.is_asked());
+  EXPECT_EQ(first.answer([](const Walker& /*asking*/) { return std::size_t{1}; }), 0U);
+}
+
 TEST_F(HandOverTest, ThoseWhoAskTheSameAreAnsweredInTurn) {
   std::size_t given_to_two = 0;
   std::size_t given_to_three = 0;
@@ -83,11 +107,10 @@ TEST_F(HandOverTest, ThoseWhoAskTheSameAreAnsweredInTurn) {
   std::thread three_asks;
   {
     const HandOver::Open open(first);
-    two_asks = std::thread([&] { given_to_two = second.ask(); });
-    three_asks = std::thread([&] { given_to_three = third.ask(); });
+    two_asks = std::thread([&] { given_to_two = ask_until_given(second); });
+    three_asks = std::thread([&] { given_to_three = ask_until_given(third); });
     for (int answers = 0; answers < 2; ++answers) {
-      wait_until_asked();
-      first.answer([&](const Walker& asking) { return &asking == &two ? 2U : 3U; });
+      answer_one([&](const Walker& asking) { return std::size_t{&asking == &two ? 2U : 3U}; });
     }
   }
   two_asks.join();
@@ -99,7 +122,7 @@ TEST_F(HandOverTest, ThoseWhoAskTheSameAreAnsweredInTurn) {
 // One walker has all ants, the other asks again and again. On the way an ant is in any state: beside others
 // or the last, stuck, with steps to take back.
 TEST(Walker, AnAntGoesOnWithTheSameWalkWhoeverTakesItOver) {
-  if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "two walkers at a time need two processors";
+  if (processors() < 2) GTEST_SKIP() << "two walkers at a time need two processors";
   WalkField field(testing::random_grid(Stream(67), 70, 70, 0.25), MoveRule::strict, {0, 0}, {69, 69});
   field.let_every_step_weigh();
   for (const DeadEnd dead_end : {DeadEnd::die, DeadEnd::backtrack, DeadEnd::revisit_with_loop_erasure}) {
