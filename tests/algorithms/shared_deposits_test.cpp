@@ -9,7 +9,7 @@
 
 #include "bench/executors.hpp"
 #include "core/stream.hpp"
-#include "tests/support/maps.hpp"
+#include "tests/support/trials.hpp"
 
 namespace pathrace::algorithms {
 namespace {
@@ -62,13 +62,13 @@ void expect_same_pheromone(const Land& land, const Land& expected) {
   }
 }
 
-class SharedDepositsBy : public ::testing::TestWithParam<const char*> {};
+class SharedDepositsBy : public ::testing::TestWithParam<std::string> {};
 
 // So many deposits on so few steps that their order shows: floats that are added up otherwise differ.
 TEST_P(SharedDepositsBy, EveryStepHasThoseOfAllAntsInTheirOrder) {
   for (const int threads : {1, 2, 3, 4}) {
     const std::unique_ptr<Executor> executor =
-        bench::make_executor(GetParam(), std::string(GetParam()) == "serial" ? 1 : threads);
+        bench::make_executor(GetParam(), GetParam() == "serial" ? 1 : threads);
     for (const auto& [width, height] : {std::pair{5, 40}, {9, 3}, {30, 1}}) {
       for (const double alpha : {1.0, 2.0}) {
         for (const bool both_ways : {false, true}) {
@@ -98,8 +98,8 @@ TEST_P(SharedDepositsBy, EveryStepHasThoseOfAllAntsInTheirOrder) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Executors, SharedDepositsBy, ::testing::Values("serial", "threads", "openmp", "tbb"),
-                         [](const auto& backend) { return std::string(backend.param); });
+INSTANTIATE_TEST_SUITE_P(Executors, SharedDepositsBy, ::testing::ValuesIn(testing::executors_under_test()),
+                         [](const auto& backend) { return backend.param; });
 
 }  // namespace
 }  // namespace pathrace::algorithms
