@@ -4,20 +4,20 @@
 #include <atomic>
 #include <cstddef>
 
+#include "algorithms/aco/ring.hpp"
+
 namespace pathrace::algorithms {
 
 /// Some ants of an iteration, every `stride`-th of a range. Every walker has a queue, on two cache lines of
 /// its own (processors fetch pairs of them), and the queues form a ring: whose own is empty takes from the
 /// next. So nobody runs out of ants while another has a heap of them, and until then no two cores want the
 /// same line.
-class alignas(128) AntQueue {
+class alignas(128) AntQueue : public Ring<AntQueue> {
  public:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
   AntQueue() = default;
   AntQueue(std::size_t begin, std::size_t end) { fill(begin, end); }
-  AntQueue(const AntQueue&) = delete;
-  AntQueue& operator=(const AntQueue&) = delete;
 
   /// While nobody takes.
   void fill(std::size_t begin, std::size_t end, std::size_t stride = 1) {
@@ -25,14 +25,6 @@ class alignas(128) AntQueue {
     end_ = end;
     stride_ = stride;
   }
-  /// Into the ring of `other`, right before it. While nobody takes.
-  void join(AntQueue& other) {
-    AntQueue* last = &other;
-    while (last->neighbour_ != &other) last = last->neighbour_;
-    last->neighbour_ = this;
-    neighbour_ = &other;
-  }
-
   /// An ant, or `none` when all are handed out.
   std::size_t take() {
     const std::size_t ant = take_own();
@@ -48,7 +40,7 @@ class alignas(128) AntQueue {
 
   // Rare, and to be kept out of the walkers' loop.
   [[gnu::noinline]] std::size_t take_from_others() {
-    for (AntQueue* queue = neighbour_; queue != this; queue = queue->neighbour_) {
+    for (AntQueue* queue = next(); queue != this; queue = queue->next()) {
       const std::size_t ant = queue->take_own();
       if (ant != none) return ant;
     }
@@ -58,7 +50,6 @@ class alignas(128) AntQueue {
   std::atomic<std::size_t> next_{0};
   std::size_t end_ = 0;
   std::size_t stride_ = 1;
-  AntQueue* neighbour_ = this;
 };
 
 }  // namespace pathrace::algorithms

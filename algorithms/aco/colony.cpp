@@ -24,8 +24,7 @@ Trail::Heuristic heuristic(const ColonySettings& settings, const Nest& nest) {
   };
 }
 
-constexpr std::size_t cells_worth_a_draft = 4096;      // a draft is a copy of them all
-constexpr std::size_t cells_worth_a_hand_over = 4096;  // on fewer, walks are over before it pays
+constexpr std::size_t cells_worth_a_draft = 4096;  // a draft is a copy of them all
 
 std::uint64_t max_steps(const ColonySettings& settings, const Nest& nest) {
   if (settings.max_steps > 0) return static_cast<std::uint64_t>(settings.max_steps);
@@ -105,7 +104,7 @@ void Colony::make_walkers(const Executor& executor) {
       groups_.empty() ? std::min(ants, static_cast<std::size_t>(executor.threads())) : groups_.size();
   group_size_ = (ants + count - 1) / count;
   const std::size_t lanes = std::min(group_size_, Walker::lanes_for(nest_.size()));
-  const bool hand_ants_over = groups_.empty() && nest_.size() >= cells_worth_a_hand_over;
+  const bool hand_ants_over = groups_.empty() && Walker::is_far(nest_.size());  // else walks are too short
   walkers_.clear();
   queues_.clear();
   for (std::size_t k = 0; k < count; ++k) {

@@ -1,22 +1,14 @@
 #include "algorithms/aco/hand_over.hpp"
 
+#include "core/pause.hpp"
+
 namespace pathrace::algorithms {
-namespace {
 
-void pause() {
-#ifdef __x86_64__
-  _mm_pause();
-#endif
-}
-
-}  // namespace
-
-std::size_t HandOver::ask() {
-  int patience = longest_wait;
+std::size_t HandOver::ask(int patience) {
   bool others_ask = true;
   while (others_ask && patience > 0) {
     others_ask = false;
-    for (HandOver* other = neighbour_; other != this; other = other->neighbour_) {
+    for (HandOver* other = next(); other != this; other = other->next()) {
       HandOver* asking = other->asking_.load(std::memory_order_relaxed);
       if (asking == other) continue;
       given_.store(no_answer, std::memory_order_relaxed);
@@ -28,7 +20,7 @@ std::size_t HandOver::ask() {
       if (given > 0) return given;
     }
     if (others_ask) {
-      pause();
+      pause_briefly();
       --patience;
     }
   }
@@ -41,7 +33,7 @@ std::size_t HandOver::wait_for(HandOver& other, int& patience) {
   while (true) {
     const std::size_t given = given_.load(std::memory_order_acquire);
     if (given != no_answer) return given;
-    pause();
+    pause_briefly();
     HandOver* self = this;
     if (--patience <= 0 && other.asking_.compare_exchange_strong(self, nullptr)) return 0;
   }

@@ -8,28 +8,16 @@
 #include <atomic>
 #include <cstddef>
 
-#ifdef __x86_64__
-#include <immintrin.h>
-#endif
+#include "algorithms/aco/ring.hpp"
 
 namespace pathrace::algorithms {
 
 class Walker;
 
 /// Every walker has one, on two cache lines of its own; those of walkers that may ask each other form a ring.
-class alignas(128) HandOver {
+class alignas(128) HandOver : public Ring<HandOver> {
  public:
   explicit HandOver(Walker& walker) : walker_(walker) {}
-  HandOver(const HandOver&) = delete;
-  HandOver& operator=(const HandOver&) = delete;
-
-  /// Into the ring of `other`, right before it. While nobody walks.
-  void join(HandOver& other) {
-    HandOver* last = &other;
-    while (last->neighbour_ != &other) last = last->neighbour_;
-    last->neighbour_ = this;
-    neighbour_ = &other;
-  }
 
   /// While it exists, others ask, and are answered at the end of it at the latest.
   class Open {
@@ -59,12 +47,13 @@ class alignas(128) HandOver {
   }
 
   /// Asks the others one after another, and waits for their answers. How many ants were given: to the lanes
-  /// from the first on, none of which may be under way. 0 when nobody has any to give, or answers soon.
-  std::size_t ask();
+  /// from the first on, none of which may be under way. 0 when nobody has any to give, or
+  /// has answered after `patience` looks: an answer is due at once, and ten microseconds are some 500 of
+  /// them.
+  std::size_t ask(int patience = 500);
 
  private:
   static constexpr std::size_t no_answer = static_cast<std::size_t>(-1);
-  static constexpr int longest_wait = 500;  // looks: some ten microseconds; an answer is due at once
 
   void close() {
     HandOver* const asking = asking_.exchange(this, std::memory_order_acq_rel);
@@ -73,7 +62,6 @@ class alignas(128) HandOver {
   std::size_t wait_for(HandOver& other, int& patience);
 
   Walker& walker_;
-  HandOver* neighbour_ = this;
   std::atomic<HandOver*> asking_{this};  // nullptr: nobody asks; itself: closed
   std::atomic<std::size_t> given_{no_answer};
 };

@@ -45,28 +45,27 @@ Walker::Walker(const Ground& ground, std::size_t lanes) : ground_(ground), lanes
   }
 }
 
-void Walker::run(AntQueue& ants, const Outing& outing, EarlyDeposits* deposits) {
+std::size_t Walker::run(AntQueue& ants, const Outing& outing, EarlyDeposits* deposits) {
   outing_ = &outing;
-  taken_over_ = 0;
   deposits_ = deposits;
   limit_ = std::min(outing.step_limit, ground_.max_steps);
   paths_.resize(outing.walks.size());
   const bool far = is_far(ground_.nest.size());
   const auto run = [&]<bool greedy, bool with_places, bool backs_up>() {
-    far ? run_lanes<Gait{greedy, with_places, backs_up, true}>(ants)
-        : run_lanes<Gait{greedy, with_places, backs_up, false}>(ants);
+    return far ? run_lanes<Gait{greedy, with_places, backs_up, true}>(ants)
+               : run_lanes<Gait{greedy, with_places, backs_up, false}>(ants);
   };
   const auto run_by_policy = [&]<bool greedy>() {
     if (ground_.dead_end == DeadEnd::revisit_with_loop_erasure) return run.operator()<greedy, true, false>();
     const bool plainly = ground_.trail.every_step_weighs() && !ground_.keep_popped;
     if (ground_.dead_end == DeadEnd::backtrack && plainly) return run.operator()<greedy, false, true>();
-    run.operator()<greedy, false, false>();
+    return run.operator()<greedy, false, false>();
   };
-  ground_.q0 > 0 ? run_by_policy.operator()<true>() : run_by_policy.operator()<false>();
+  return ground_.q0 > 0 ? run_by_policy.operator()<true>() : run_by_policy.operator()<false>();
 }
 
 template <Walker::Gait gait>
-void Walker::run_lanes(AntQueue& ants) {
+std::size_t Walker::run_lanes(AntQueue& ants) {
   const TrailRow* const rows = deposits_ != nullptr ? ground_.trail.rows() : ground_.trail.rows_for_others();
   std::size_t under_way = 0;
   while (under_way < lanes_.size()) {
@@ -74,12 +73,14 @@ void Walker::run_lanes(AntQueue& ants) {
     if (ant == AntQueue::none) break;
     begin(under_way++, ant);
   }
+  std::size_t taken_over = 0;
   do {
     if (under_way > 1) under_way = walk_side_by_side<gait>(ants, under_way, rows);
     if (under_way == 1) walk_one_by_one<gait>(ants, rows);
     under_way = hand_over_.ask();
-    taken_over_ += under_way;
+    taken_over += under_way;
   } while (under_way > 0);
+  return taken_over;
 }
 
 // To the last, or until the last has been given away. Returns how many are left.

@@ -76,12 +76,10 @@ class alignas(128) Walker {
   void join(Walker& other) { hand_over_.join(other.hand_over_); }
 
   /// Walks ants of the queue until it is empty: one draw per decision (loop erasure draws twice when it is
-  /// stuck), to the goal, to death, or to the limit; then takes ants over from walkers it has joined, and
-  /// returns when these have none to give. With `deposits`, goes on with them when ants are back;
-  /// without, reads the rows for others while there are some.
-  void run(AntQueue& ants, const Outing& outing, EarlyDeposits* deposits = nullptr);
-  /// How many ants it has taken over from others in the last run.
-  std::size_t taken_over() const { return taken_over_; }
+  /// stuck), to the goal, to death, or to the limit; then takes ants over from walkers it has joined, until
+  /// these have none to give. With `deposits`, goes on with them when ants are back; without, reads the rows
+  /// for others while there are some. Returns how many ants it has taken over.
+  std::size_t run(AntQueue& ants, const Outing& outing, EarlyDeposits* deposits = nullptr);
 
  private:
   static constexpr std::uint64_t clock_interval = 1024;
@@ -156,7 +154,7 @@ class alignas(128) Walker {
   };
 
   template <Gait gait>
-  void run_lanes(AntQueue& ants);
+  std::size_t run_lanes(AntQueue& ants);
   template <Gait gait>
   std::size_t walk_side_by_side(AntQueue& ants, std::size_t under_way, const TrailRow* rows);
   template <Gait gait>
@@ -211,7 +209,6 @@ class alignas(128) Walker {
   const Outing* outing_ = nullptr;
   EarlyDeposits* deposits_ = nullptr;
   std::uint64_t limit_ = 0;
-  std::size_t taken_over_ = 0;
   FirstOffsets first_offsets_{};
   HandOver hand_over_{*this};
 };

@@ -1,20 +1,11 @@
 #include "bench/executors/team.hpp"
 
-#ifdef __x86_64__
-#include <immintrin.h>
-#endif
+#include "core/pause.hpp"
 
 namespace pathrace::bench {
 namespace {
 
 constexpr int patience = 20000;  // looks before sleep, 10 to 40 ns each
-
-// Tells the processor that this thread only waits.
-void relax() {
-#ifdef __x86_64__
-  _mm_pause();
-#endif
-}
 
 // Returns the word once it is as wished: looks for a while, then sleeps between changes.
 template <typename Wished>
@@ -22,7 +13,7 @@ std::uint32_t await(const std::atomic<std::uint32_t>& word, const Wished& wished
   std::uint32_t value = word.load(std::memory_order_acquire);
   for (int looks = 0; !wished(value); value = word.load(std::memory_order_acquire)) {
     if (++looks < patience) {
-      relax();
+      pause_briefly();
     } else {
       word.wait(value, std::memory_order_acquire);
     }

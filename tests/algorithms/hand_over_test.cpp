@@ -2,7 +2,6 @@
 #include "algorithms/aco/hand_over.hpp"
 
 #include <gtest/gtest.h>
-#include <sched.h>
 
 #include <atomic>
 #include <chrono>
@@ -13,15 +12,12 @@
 #include "algorithms/aco/walker.hpp"
 #include "tests/algorithms/walk_field.hpp"
 #include "tests/support/maps.hpp"
+#include "tests/support/processors.hpp"
 
 namespace pathrace::algorithms {
 namespace {
 
-// That this process may run on.
-int processors() {
-  cpu_set_t set;
-  return sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
-}
+constexpr int patient = 1'000'000'000;  // looks: longer than any test takes
 
 class HandOverTest : public ::testing::Test {
  protected:
@@ -30,16 +26,8 @@ class HandOverTest : public ::testing::Test {
     third.join(first);
   }
 
-  // Nobody waits for long: who asks does so again.
-  static std::size_t ask_until_given(HandOver& asking) {
-    std::size_t given = 0;
-    while (given == 0) given = asking.ask();
-    return given;
-  }
-
-  template <typename Give>
-  void answer_one(const Give& give) {
-    while (first.answer(give) == 0) std::this_thread::yield();
+  static void wait_until_asked(const HandOver& one) {
+    while (!one.is_asked()) std::this_thread::yield();
   }
 
   WalkField field{testing::grid_of({"..."}), MoveRule::four, {0, 0}, {2, 0}};
@@ -66,31 +54,31 @@ TEST_F(HandOverTest, WhoAsksGetsWhatIsGiven) {
     const HandOver::Open open(first);
     EXPECT_FALSE(first.is_asked());
     std::size_t given = 0;
-    std::thread asks([&] { given = ask_until_given(second); });
-    answer_one([&](const Walker& asking) {
+    std::thread asks([&] { given = second.ask(patient); });
+    wait_until_asked(first);
+    const std::size_t answered = first.answer([&](const Walker& asking) {
       EXPECT_EQ(&asking, &two);
       return count;
     });
     asks.join();
+    EXPECT_EQ(answered, count);
     EXPECT_EQ(given, count);
     EXPECT_FALSE(first.is_asked());
   }
 }
 
-// Else some of those who ask would wait for ever.
 TEST_F(HandOverTest, WhoClosesAnswers) {
-  std::atomic<bool> done{false};
-  std::size_t given = 0;
-  std::thread asks([&] {
-    while (!done.load()) given += second.ask();
-  });
   for (int round = 0; round < 100; ++round) {
-    const HandOver::Open open(first);
-    while (!first.is_asked()) std::this_thread::yield();
+    std::size_t given = 1;
+    std::thread asks;
+    {
+      const HandOver::Open open(first);
+      asks = std::thread([&] { given = second.ask(patient); });
+      wait_until_asked(first);
+    }
+    asks.join();
+    EXPECT_EQ(given, 0U);
   }
-  done.store(true);
-  asks.join();
-  EXPECT_EQ(given, 0U);
 }
 
 TEST_F(HandOverTest, WhoIsNotAnsweredSoonAsksNoLonger) {
@@ -100,18 +88,34 @@ TEST_F(HandOverTest, WhoIsNotAnsweredSoonAsksNoLonger) {
   EXPECT_EQ(first.answer([](const Walker& /*asking*/) { return std::size_t{1}; }), 0U);
 }
 
+TEST_F(HandOverTest, WhoIsGivenNothingAsksTheNext) {
+  const HandOver::Open open(first);
+  const HandOver::Open next_open(third);
+  std::size_t given = 0;
+  std::thread asks([&] { given = second.ask(patient); });
+  wait_until_asked(third);
+  third.answer([](const Walker& /*asking*/) { return std::size_t{0}; });
+  wait_until_asked(first);
+  first.answer([](const Walker& /*asking*/) { return std::size_t{5}; });
+  asks.join();
+  EXPECT_EQ(given, 5U);
+}
+
+// The one that comes later neither leaves, nor is forgotten.
 TEST_F(HandOverTest, ThoseWhoAskTheSameAreAnsweredInTurn) {
+  const HandOver::Open open(first);
   std::size_t given_to_two = 0;
   std::size_t given_to_three = 0;
-  std::thread two_asks;
-  std::thread three_asks;
-  {
-    const HandOver::Open open(first);
-    two_asks = std::thread([&] { given_to_two = ask_until_given(second); });
-    three_asks = std::thread([&] { given_to_three = ask_until_given(third); });
-    for (int answers = 0; answers < 2; ++answers) {
-      answer_one([&](const Walker& asking) { return std::size_t{&asking == &two ? 2U : 3U}; });
-    }
+  std::thread two_asks([&] { given_to_two = second.ask(patient); });
+  wait_until_asked(first);
+  std::thread three_asks([&] { given_to_three = third.ask(patient); });
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));  // it is likely to have found the other by then
+  for (const std::size_t count : {2U, 3U}) {
+    wait_until_asked(first);
+    first.answer([&](const Walker& asking) {
+      EXPECT_EQ(&asking, count == 2 ? &two : &three);
+      return count;
+    });
   }
   two_asks.join();
   three_asks.join();
@@ -122,7 +126,7 @@ TEST_F(HandOverTest, ThoseWhoAskTheSameAreAnsweredInTurn) {
 // One walker has all ants, the other asks again and again. On the way an ant is in any state: beside others
 // or the last, stuck, with steps to take back.
 TEST(Walker, AnAntGoesOnWithTheSameWalkWhoeverTakesItOver) {
-  if (processors() < 2) GTEST_SKIP() << "two walkers at a time need two processors";
+  if (testing::allowed_processors().size() < 2) GTEST_SKIP() << "two walkers at a time need two processors";
   WalkField field(testing::random_grid(Stream(67), 70, 70, 0.25), MoveRule::strict, {0, 0}, {69, 69});
   field.let_every_step_weigh();
   for (const DeadEnd dead_end : {DeadEnd::die, DeadEnd::backtrack, DeadEnd::revisit_with_loop_erasure}) {
@@ -149,8 +153,7 @@ TEST(Walker, AnAntGoesOnWithTheSameWalkWhoeverTakesItOver) {
             here.store(true);
             AntQueue none(0, 0);
             while (!done.load()) {
-              walkers[1].run(none, outing);
-              taken_over += walkers[1].taken_over();
+              taken_over += walkers[1].run(none, outing);
             }
           });
           while (!here.load()) std::this_thread::yield();

@@ -9,6 +9,7 @@
 
 #include "bench/executors.hpp"
 #include "core/stream.hpp"
+#include "tests/algorithms/trail_field.hpp"
 #include "tests/support/trials.hpp"
 
 namespace pathrace::algorithms {
@@ -19,7 +20,7 @@ struct Land {
   Land(int width, int height, double alpha)
       : grid(width, height),
         nest({grid, MoveRule::free, {width / 2, height / 2}, {0, 0}}),
-        trail(nest.moves(), 1, alpha, 1, [](std::size_t, int) { return 1.0; }) {
+        trail(nest.moves(), 1, alpha, 1, equal) {
     trail.limit(0.25, 9);
   }
 
@@ -29,17 +30,11 @@ struct Land {
 };
 
 // A walk to and fro; some do not arrive, which leaves a path that is not to be deposited on.
-Walk random_walk(const Nest& nest, Stream& stream) {
+Walk bring_home(const Nest& nest, Stream& stream) {
   Walk walk;
   walk.arrived = stream.between(0, 5) > 0;
-  const auto length = static_cast<std::size_t>(stream.between(1, 200));
-  std::size_t cell = nest.start();
-  while (walk.directions.size() < length) {
-    const int d = stream.between(0, 7);
-    if ((nest.open(cell) >> d & 1) == 0) continue;
-    walk.directions.push_back(static_cast<std::uint8_t>(d));
-    cell = nest.moves().step(cell, d);
-  }
+  const auto steps = static_cast<std::size_t>(stream.between(1, 200));
+  walk.directions = random_walk(nest.moves(), nest.start(), stream, steps);
   return walk;
 }
 
@@ -82,7 +77,7 @@ TEST_P(SharedDepositsBy, EveryStepHasThoseOfAllAntsInTheirOrder) {
               std::vector<Walk> walks(round % 2 == 0 ? 40 : 7);
               std::vector<double> amounts;
               for (Walk& walk : walks) {
-                walk = random_walk(land.nest, stream);
+                walk = bring_home(land.nest, stream);
                 amounts.push_back(stream.uniform());
               }
               deposits.deposit(walks, amounts, both_ways, *executor);

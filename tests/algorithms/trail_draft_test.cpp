@@ -41,7 +41,7 @@ TEST(TrailDraft, AnAdoptedDraftIsEvaporationAndTheSameChangesBitForBit) {
       plain.trail.evaporate(0.8);
       for (int k = 0; k < 5; ++k) {
         const std::size_t first = plain.at(stream.between(0, 6), stream.between(0, 5));
-        const std::vector<std::uint8_t> walk = random_walk(plain, first, stream);
+        const std::vector<std::uint8_t> walk = random_walk(plain.moves, first, stream);
         const double amount = 4 * stream.uniform();
         const double factor = stream.chance(0.3) ? stream.uniform() : 1;
         plain.trail.change_along(first, walk, factor, amount, both_ways);
@@ -73,7 +73,7 @@ TEST(TrailDraft, ADraftFollowsWhateverElseChangesTheTrail) {
   for (int round = 0; round < 600; ++round) {
     if (round % 5 < 2) {  // else that of the round before
       first = plain.at(stream.between(0, 6), stream.between(0, 5));
-      walk = random_walk(plain, first, stream);
+      walk = random_walk(plain.moves, first, stream);
       if (round % 2 == 0) walk.resize(4);  // likely to come to no row twice, so that it is held
     }
     const double amount = 2 * stream.uniform();

@@ -37,14 +37,15 @@ inline void expect_same_strengths(const Field& field, const Field& expected) {
   }
 }
 
-// A walk over the whole of an open map, of steps in random directions.
-inline std::vector<std::uint8_t> random_walk(const Field& field, std::size_t index, Stream& stream) {
+// So many steps in random directions, over the whole of an open map.
+inline std::vector<std::uint8_t> random_walk(const MoveTable& moves, std::size_t index, Stream& stream,
+                                             std::size_t steps = 60) {
   std::vector<std::uint8_t> directions;
-  while (directions.size() < 60) {
+  while (directions.size() < steps) {
     const int d = stream.between(0, 7);
-    if ((field.moves[index] >> d & 1) == 0) continue;
+    if ((moves[index] >> d & 1) == 0) continue;
     directions.push_back(static_cast<std::uint8_t>(d));
-    index = field.moves.step(index, d);
+    index = moves.step(index, d);
   }
   return directions;
 }

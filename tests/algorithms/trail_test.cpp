@@ -178,7 +178,7 @@ TEST(Trail, AlongAPathAndStepByStepAreTheSameBits) {
       for (Field* field : {&single, &along}) field->trail.limit(0.25, 9);
       for (int k = 0; k < 100; ++k) {
         const std::size_t first = single.at(stream.between(0, 6), stream.between(0, 4));
-        std::vector<std::uint8_t> walk = random_walk(single, first, stream);
+        std::vector<std::uint8_t> walk = random_walk(single.moves, first, stream);
         walk.resize(static_cast<std::size_t>(stream.between(0, 60)));
         const double factor = k % 3 == 0 ? 0.7 : 1;
         const double amount = stream.uniform();

@@ -8,29 +8,18 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <set>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "bench/executors.hpp"
+#include "tests/support/processors.hpp"
 
 namespace pathrace::bench {
 namespace {
 
-using Processors = std::set<int>;
-
-// Those that a thread may run on; 0 is the calling one, and who has ended may run nowhere.
-Processors allowed(pid_t thread = 0) {
-  cpu_set_t set;
-  CPU_ZERO(&set);
-  if (sched_getaffinity(thread, sizeof set, &set) != 0) return {};
-  Processors processors;
-  for (int k = 0; k < CPU_SETSIZE; ++k) {
-    if (CPU_ISSET(k, &set)) processors.insert(k);
-  }
-  return processors;
-}
+using testing::allowed_processors;
+using testing::Processors;
 
 void in_a_thread_of_its_own(const std::function<void()>& body) {
   std::thread(body).join();
@@ -46,7 +35,7 @@ void meet(std::atomic<int>& present) {
 Processors share_of(int k) {
   Processors share;
   int next = 0;
-  for (const int processor : allowed()) {
+  for (const int processor : allowed_processors()) {
     if (next++ % 2 == k) share.insert(processor);
   }
   return share;
@@ -65,7 +54,7 @@ std::size_t sum_of_sizes(const std::vector<Processors>& sets) {
 }
 
 TEST(ProcessorShares, AreDisjointAndTogetherAllProcessors) {
-  const Processors all = allowed();
+  const Processors all = allowed_processors();
   for (int threads = 1; threads <= static_cast<int>(all.size()); ++threads) {
     const ProcessorShares shares(threads);
     EXPECT_TRUE(shares.exist());
@@ -74,7 +63,7 @@ TEST(ProcessorShares, AreDisjointAndTogetherAllProcessors) {
       in_a_thread_of_its_own([&] {
         shares.settle(k);
         EXPECT_TRUE(shares.here(k));
-        share[static_cast<std::size_t>(k)] = allowed();
+        share[static_cast<std::size_t>(k)] = allowed_processors();
       });
     }
     EXPECT_EQ(union_of(share), all) << threads;
@@ -84,19 +73,19 @@ TEST(ProcessorShares, AreDisjointAndTogetherAllProcessors) {
 }
 
 TEST(ProcessorShares, ThereAreNoneWhereThreadsOutnumberProcessors) {
-  const Processors all = allowed();
+  const Processors all = allowed_processors();
   const ProcessorShares shares(static_cast<int>(all.size()) + 1);
   EXPECT_FALSE(shares.exist());
   EXPECT_FALSE(shares.here(0));
   in_a_thread_of_its_own([&] {
     shares.settle(0);
     shares.go_to(1);
-    EXPECT_EQ(allowed(), all);
+    EXPECT_EQ(allowed_processors(), all);
   });
 }
 
 TEST(ProcessorShares, WhoGoesToOneIsThereAndMayBeMovedOn) {
-  const Processors all = allowed();
+  const Processors all = allowed_processors();
   const auto threads = static_cast<int>(all.size());
   const ProcessorShares shares(threads);
   in_a_thread_of_its_own([&] {
@@ -107,7 +96,7 @@ TEST(ProcessorShares, WhoGoesToOneIsThereAndMayBeMovedOn) {
         there = shares.here(k);
       }
       EXPECT_TRUE(there) << k;
-      EXPECT_EQ(allowed(), all) << k;
+      EXPECT_EQ(allowed_processors(), all) << k;
     }
   });
 }
@@ -116,14 +105,14 @@ TEST(ProcessorShares, WhoGoesToOneIsThereAndMayBeMovedOn) {
 int threads_on(const Processors& processors) {
   int threads = 0;
   for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
-    threads += allowed(std::stoi(task.path().filename())) == processors ? 1 : 0;
+    threads += allowed_processors(std::stoi(task.path().filename())) == processors ? 1 : 0;
   }
   return threads;
 }
 
 // Before the first loop, which might be over before they had started.
 TEST(ProcessorShares, ThreadsOfANewOpenMpExecutorAreAtTheirPlaces) {
-  if (allowed().size() < 2) GTEST_SKIP() << "needs two processors";
+  if (allowed_processors().size() < 2) GTEST_SKIP() << "needs two processors";
   in_a_thread_of_its_own([] {
     const std::unique_ptr<Executor> executor = make_executor("openmp", 2);
     EXPECT_GT(threads_on(share_of(1)), 0);
@@ -133,7 +122,7 @@ TEST(ProcessorShares, ThreadsOfANewOpenMpExecutorAreAtTheirPlaces) {
 class TeamOnShares : public ::testing::TestWithParam<std::string> {
  protected:
   void SetUp() override {
-    if (allowed().size() < 2) GTEST_SKIP() << "needs two processors";
+    if (allowed_processors().size() < 2) GTEST_SKIP() << "needs two processors";
   }
 };
 
@@ -155,7 +144,7 @@ TEST_P(TeamOnShares, WhoGathersItLeavesTheProcessorsOfTheOthers) {
 
 // Also when the helper comes from where the leader is.
 TEST_P(TeamOnShares, ItsHelperIsNotOnTheProcessorOfItsLeader) {
-  const Processors all = allowed();
+  const Processors all = allowed_processors();
   in_a_thread_of_its_own([&all] {
     const ProcessorShares shares(2);
     const std::unique_ptr<Executor> executor = make_executor(GetParam(), 2);
@@ -175,7 +164,7 @@ TEST_P(TeamOnShares, ItsHelperIsNotOnTheProcessorOfItsLeader) {
       apart += helper_apart ? 1 : 0;
     }
     EXPECT_GT(apart, 25);
-    EXPECT_EQ(allowed(), all);
+    EXPECT_EQ(allowed_processors(), all);
   });
 }
 
@@ -205,7 +194,7 @@ INSTANTIATE_TEST_SUITE_P(ProcessorShares, TeamOnShares, ::testing::Values("openm
 
 // A worker that is bound would bind those whom it starts.
 TEST(ProcessorShares, AThreadOfATbbTeamMayRunAnywhere) {
-  const Processors all = allowed();
+  const Processors all = allowed_processors();
   if (all.size() < 2) GTEST_SKIP() << "needs two processors";
   in_a_thread_of_its_own([&all] {
     const std::unique_ptr<Executor> executor = make_executor("tbb", 2);
@@ -214,7 +203,7 @@ TEST(ProcessorShares, AThreadOfATbbTeamMayRunAnywhere) {
     executor->with_team([&] {
       for_each_index(*executor, 2, 1, [&](std::size_t k) {
         meet(present);
-        seen[k] = allowed();
+        seen[k] = allowed_processors();
       });
     });
     EXPECT_EQ(seen, std::vector<Processors>(2, all));
@@ -223,7 +212,7 @@ TEST(ProcessorShares, AThreadOfATbbTeamMayRunAnywhere) {
 
 // From its first loop on, in a team and without.
 TEST(ProcessorShares, KeepThreadsOfAnOpenMpExecutorApart) {
-  const Processors all = allowed();
+  const Processors all = allowed_processors();
   if (all.size() < 2) GTEST_SKIP() << "needs two processors";
   in_a_thread_of_its_own([&all] {
     const std::unique_ptr<Executor> executor = make_executor("openmp", 2);
@@ -233,17 +222,17 @@ TEST(ProcessorShares, KeepThreadsOfAnOpenMpExecutorApart) {
       std::atomic<int> present{0};
       for_each_index(*executor, 2, 1, [&](std::size_t k) {
         meet(present);
-        if (std::this_thread::get_id() != caller) others[k] = allowed();
+        if (std::this_thread::get_id() != caller) others[k] = allowed_processors();
       });
       return union_of(others);
     };
     const auto check = [&] {
       EXPECT_EQ(processors_of_the_other(), share_of(1));
-      EXPECT_EQ(allowed(), all);
+      EXPECT_EQ(allowed_processors(), all);
     };
     check();
     executor->with_team(check);
-    EXPECT_EQ(allowed(), all);
+    EXPECT_EQ(allowed_processors(), all);
   });
 }
 
