@@ -22,8 +22,10 @@ class RowMarks {
   auto adder() {
     return [marks = marks_.data()](std::size_t row) { marks[row] = 1; };
   }
+  void add_all() { std::fill(marks_.begin(), marks_.end(), std::uint8_t{1}); }
   void clear() { std::fill(marks_.begin(), marks_.end(), std::uint8_t{0}); }
   void swap(RowMarks& other) { marks_.swap(other.marks_); }
+  bool operator==(const RowMarks&) const = default;
 
   /// Writes the rows of the set to `rows`, which has room for them all, in ascending order. Returns the end.
   std::uint32_t* list(std::uint32_t* rows) const {

@@ -129,6 +129,8 @@ class Trail {
   /// These make the copies, and the draft, what the trail is.
   void write_copies();
   void fill_draft();
+  /// The rows whose copies are due.
+  void list_copied();
   template <typename Change>
   void visit_draft(std::size_t index, std::span<const std::uint8_t> directions, bool both_ways,
                    const Change& change);
@@ -157,6 +159,7 @@ class Trail {
   Rows copies_;                        // of rows, for other threads; empty when no draft is kept
   std::vector<std::uint32_t> copied_;  // first the rows whose copies were written when a draft was begun last
   std::size_t copied_count_ = 0;       // how many those are
+  RowMarks listed_;                    // the same rows
   bool drafting_ = false;              // a draft is under way, and the copies are those of the trail
 
   // What a thread writes while others read the trail: on lines of its own. An adopted draft and the trail

@@ -12,17 +12,26 @@ void Trail::keep_draft() {
   copies_ = rows_;
   copied_.resize(rows_.size());
   changed_ = RowMarks(rows_.size());
+  listed_ = RowMarks(rows_.size());
   drafted_ = RowMarks(rows_.size());
   draft_is_close_ = true;
 }
 
-void Trail::write_copies() {
-  if (draft_is_close_) {
-    copied_count_ = static_cast<std::size_t>(changed_.list(copied_.data()) - copied_.data());
-  } else {
+// The list is written anew only when it changes: all threads read it, and ants of a colony that has converged
+// change the same rows each time.
+void Trail::list_copied() {
+  if (!draft_is_close_) {
     copied_count_ = copied_.size();
     std::iota(copied_.begin(), copied_.end(), 0U);
+    listed_.add_all();
+  } else if (listed_ != changed_) {
+    copied_count_ = static_cast<std::size_t>(changed_.list(copied_.data()) - copied_.data());
+    listed_ = changed_;
   }
+}
+
+void Trail::write_copies() {
+  list_copied();
   for (const std::uint32_t index : copied()) copies_[index].strength = rows_[index].strength;
 }
 

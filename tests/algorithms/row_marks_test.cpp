@@ -45,6 +45,24 @@ TEST(RowMarks, TwoSetsChangePlaces) {
   EXPECT_EQ(rows_of(other), (std::vector<std::uint32_t>{3}));
 }
 
+TEST(RowMarks, AreEqualWhenTheirRowsAre) {
+  RowMarks one(70);
+  RowMarks other(70);
+  EXPECT_EQ(one, other);
+  one.add(69);
+  EXPECT_NE(one, other);
+  other.add(69);
+  EXPECT_EQ(one, other);
+}
+
+TEST(RowMarks, AllRowsAreAsIfEachWereAdded) {
+  RowMarks marks(128);
+  marks.add_all();
+  RowMarks expected(128);
+  for (std::size_t row = 0; row < 128; ++row) expected.add(row);
+  EXPECT_EQ(marks, expected);
+}
+
 TEST(RowMarks, EveryPatternOfNeighboursIsRead) {
   for (unsigned pattern = 0; pattern < 256; ++pattern) {
     RowMarks marks(150);
