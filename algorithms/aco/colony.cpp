@@ -118,10 +118,9 @@ void Colony::make_walkers(const Executor& executor) {
   }
   deposits_.reset();
   roll_call_.reset();
-  const bool may_be_early = rule_.deposits_early() != Early::no && nest_.size() <= cells_worth_a_draft;
-  if (!groups_.empty() || count == 1 || !may_be_early) return;
+  if (!groups_.empty() || count == 1 || rule_.deposits_early() == Early::no) return;
   roll_call_.emplace(ants, count);
-  deposits_.emplace(rule_, nest_, *trail_, walks_, *roll_call_);
+  if (nest_.size() <= cells_worth_a_draft) deposits_.emplace(rule_, nest_, *trail_, walks_, *roll_call_);
 }
 
 void Colony::regroup(const std::vector<Taste>& tastes) {
@@ -150,9 +149,11 @@ std::size_t Colony::walk_all(Context& context, const Stream& stream) {
                       ++round_, roll_call_ ? &*roll_call_ : nullptr};
   EarlyDeposits* const early = deposits_ ? &*deposits_ : nullptr;
   if (early != nullptr) early->begin(batch, outing.round);
+  const bool splits_paths = roll_call_ && early == nullptr && rule_.imprint().is_deposit();
   const auto walk = [&](std::size_t walker, AntQueue& ants) {
     if (early != nullptr && walker > 0) trail_->fetch_copies();
     walkers_[walker].run(ants, outing, walker == 0 ? early : nullptr);
+    if (splits_paths) shared_->prepare({walks_.data(), batch}, *roll_call_, round_, walker);
   };
   if (groups_.empty()) {
     const std::size_t count = walkers_.size();

@@ -103,8 +103,8 @@ class Colony {
   std::deque<AntQueue> queues_;  // one per walker; groups have theirs
   std::size_t group_size_ = 1;
   std::uint32_t round_ = 0;                // of walks, over all runs
-  std::optional<RollCall> roll_call_;      // where there are deposits_, which wait for the ants that sign
-  std::optional<EarlyDeposits> deposits_;  // where several threads walk and the rule admits it
+  std::optional<RollCall> roll_call_;      // where several threads walk and the rule admits early work
+  std::optional<EarlyDeposits> deposits_;  // the same on small maps
   std::optional<SharedDeposits> shared_;   // where there are several threads
   std::vector<Walk> walks_;
   std::vector<double> amounts_;  // a slot per walk

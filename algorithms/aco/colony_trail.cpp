@@ -37,7 +37,7 @@ void Colony::deposit_all(std::size_t count) {
     steps += walks_[k].arrived ? walks_[k].directions.size() : 0;
   }
   if (!shared_ || steps < steps_worth_sharing) return deposit_in_turn(count);
-  shared_->deposit({walks_.data(), count}, {amounts_.data(), count}, settings_.both_ways, *executor_);
+  shared_->deposit({walks_.data(), count}, {amounts_.data(), count}, settings_.both_ways, round_, *executor_);
 }
 
 void Colony::deposit_in_turn(std::size_t count) {

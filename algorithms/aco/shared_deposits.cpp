@@ -9,16 +9,42 @@ SharedDeposits::SharedDeposits(const Nest& nest, Trail& trail, std::size_t ants,
       bands_(nest.size(), nest.stride(), threads),
       stretches_(ants) {}
 
+// Whoever is the first to write the round into a slot fills it; nobody reads it before all threads are back.
+void SharedDeposits::prepare(std::span<const Walk> walks, const RollCall& roll_call, std::uint32_t round,
+                             std::size_t thread) {
+  for (std::size_t turn = 0; turn < threads_; ++turn) {
+    for (std::size_t ant = (thread + turn) % threads_; ant < walks.size(); ant += threads_) {
+      if (stretches_[ant].round.load(std::memory_order_relaxed) == round) continue;
+      if (!roll_call.has(ant, round)) continue;
+      if (stretches_[ant].round.exchange(round, std::memory_order_relaxed) != round) split(ant, walks[ant]);
+    }
+  }
+}
+
 void SharedDeposits::deposit(std::span<const Walk> walks, std::span<const double> amounts, bool both_ways,
-                             Executor& executor) {
+                             std::uint32_t round, Executor& executor) {
+  split_the_rest(walks, round, executor);
+  for_each_index(executor, threads_, 1,
+                 [&](std::size_t band) { deposit_within(bands_[band], walks, amounts, both_ways); });
+}
+
+void SharedDeposits::split_the_rest(std::span<const Walk> walks, std::uint32_t round, Executor& executor) {
+  const auto is_due = [&](std::size_t ant) {
+    return stretches_[ant].round.load(std::memory_order_relaxed) != round;
+  };
+  bool any_is_due = false;
+  for (std::size_t ant = 0; ant < walks.size(); ++ant) any_is_due |= is_due(ant);
+  if (!any_is_due) return;
   for_each_index(executor, threads_, 1, [&](std::size_t thread) {
     for (std::size_t ant = thread; ant < walks.size();
          ant += threads_) {  // as they are dealt out for walking
-      if (walks[ant].arrived) bands_.split(nest_.start(), walks[ant].directions, stretches_[ant].all);
+      if (is_due(ant)) split(ant, walks[ant]);
     }
   });
-  for_each_index(executor, threads_, 1,
-                 [&](std::size_t band) { deposit_within(bands_[band], walks, amounts, both_ways); });
+}
+
+void SharedDeposits::split(std::size_t ant, const Walk& walk) {
+  if (walk.arrived) bands_.split(nest_.start(), walk.directions, stretches_[ant].all);
 }
 
 void SharedDeposits::deposit_within(CellRange cells, std::span<const Walk> walks,

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bench/executors.hpp"
@@ -57,6 +58,43 @@ void expect_same_pheromone(const Land& land, const Land& expected) {
   }
 }
 
+// Counts loops.
+class LoopCounter final : public Executor {
+ public:
+  std::string_view name() const override { return "loop counter"; }
+  int threads() const override { return 1; }
+  int loops() const { return loops_; }
+
+ private:
+  void run_chunks(std::size_t count, std::size_t /*grain*/, ChunkBody body) override {
+    ++loops_;
+    body(0, count);
+  }
+
+  int loops_ = 0;
+};
+
+// One loop for paths, one for deposits; the first is left out when everybody has been back in time.
+TEST(SharedDeposits, WhatIsPreparedIsNotSplitAgain) {
+  Stream stream(9);
+  Land land(9, 9, 1);
+  SharedDeposits deposits(land.nest, land.trail, 3, 1);
+  RollCall roll_call(3, 1);
+  std::vector<Walk> walks(3);
+  for (Walk& walk : walks) walk = bring_home(land.nest, stream);
+  const std::vector<double> amounts(3, 1);
+  const auto loops_after = [&](std::size_t back, std::uint32_t round) {
+    for (std::size_t ant = 0; ant < back; ++ant) roll_call.sign(ant, round);
+    deposits.prepare(walks, roll_call, round, 0);
+    LoopCounter counter;
+    deposits.deposit(walks, amounts, true, round, counter);
+    return counter.loops();
+  };
+  EXPECT_EQ(loops_after(2, 1), 2);
+  EXPECT_EQ(loops_after(3, 2), 1);
+  EXPECT_EQ(loops_after(0, 3), 2);
+}
+
 class SharedDepositsBy : public ::testing::TestWithParam<std::string> {};
 
 // So many deposits on so few steps that their order shows: floats that are added up otherwise differ.
@@ -80,7 +118,7 @@ TEST_P(SharedDepositsBy, EveryStepHasThoseOfAllAntsInTheirOrder) {
                 walk = bring_home(land.nest, stream);
                 amounts.push_back(stream.uniform());
               }
-              deposits.deposit(walks, amounts, both_ways, *executor);
+              deposits.deposit(walks, amounts, both_ways, 1, *executor);
               deposit_in_turn(expected, walks, amounts, both_ways);
               for (Land* each : {&land, &expected}) each->trail.evaporate(0.9);
             }
@@ -90,6 +128,41 @@ TEST_P(SharedDepositsBy, EveryStepHasThoseOfAllAntsInTheirOrder) {
         }
       }
     }
+  }
+}
+
+// In each round some ants are back when paths are prepared, and the others come later, with other paths than
+// their slots hold by then.
+TEST_P(SharedDepositsBy, PathsMayBePreparedWhileAntsAreMissing) {
+  constexpr std::size_t ants = 40;
+  for (const int threads : {1, 2, 3, 4}) {
+    const std::unique_ptr<Executor> executor =
+        bench::make_executor(GetParam(), GetParam() == "serial" ? 1 : threads);
+    const auto count = static_cast<std::size_t>(threads);
+    Stream stream(8);
+    Land land(5, 40, 1);
+    Land expected(5, 40, 1);
+    SharedDeposits deposits(land.nest, land.trail, ants, count);
+    RollCall roll_call(ants, count);
+    std::vector<Walk> walks(ants);
+    std::vector<double> amounts(ants);
+    executor->with_team([&] {
+      for (std::uint32_t round = 1; round < 30; ++round) {
+        std::vector<std::size_t> missing;
+        for (std::size_t ant = 0; ant < ants; ++ant) {
+          amounts[ant] = stream.uniform();
+          walks[ant] = bring_home(land.nest, stream);
+          stream.chance(0.2) ? missing.push_back(ant) : roll_call.sign(ant, round);
+        }
+        for_each_index(*executor, count, 1,
+                       [&](std::size_t thread) { deposits.prepare(walks, roll_call, round, thread); });
+        for (const std::size_t ant : missing) walks[ant] = bring_home(land.nest, stream);
+        deposits.deposit(walks, amounts, true, round, *executor);
+        deposit_in_turn(expected, walks, amounts, true);
+        for (Land* each : {&land, &expected}) each->trail.evaporate(0.9);
+      }
+    });
+    ASSERT_NO_FATAL_FAILURE(expect_same_pheromone(land, expected)) << threads << " threads";
   }
 }
 
