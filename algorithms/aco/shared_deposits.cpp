@@ -9,7 +9,8 @@ SharedDeposits::SharedDeposits(const Nest& nest, Trail& trail, std::size_t ants,
       bands_(nest.size(), nest.stride(), threads),
       stretches_(ants) {}
 
-// Whoever is the first to write the round into a slot fills it; nobody reads it before all threads are back.
+// Ants are dealt out in turn for walking, and so are their paths. Whoever is the first to write the round
+// into a slot fills it; nobody reads it before all threads are back.
 void SharedDeposits::prepare(std::span<const Walk> walks, const RollCall& roll_call, std::uint32_t round,
                              std::size_t thread) {
   for (std::size_t turn = 0; turn < threads_; ++turn) {
@@ -36,8 +37,7 @@ void SharedDeposits::split_the_rest(std::span<const Walk> walks, std::uint32_t r
   for (std::size_t ant = 0; ant < walks.size(); ++ant) any_is_due |= is_due(ant);
   if (!any_is_due) return;
   for_each_index(executor, threads_, 1, [&](std::size_t thread) {
-    for (std::size_t ant = thread; ant < walks.size();
-         ant += threads_) {  // as they are dealt out for walking
+    for (std::size_t ant = thread; ant < walks.size(); ant += threads_) {
       if (is_due(ant)) split(ant, walks[ant]);
     }
   });

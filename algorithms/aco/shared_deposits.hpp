@@ -31,8 +31,8 @@ class SharedDeposits {
   /// is likely to have walked.
   void prepare(std::span<const Walk> walks, const RollCall& roll_call, std::uint32_t round,
                std::size_t thread);
-  /// Adds amounts[k] to each step of the path of walk k, if that has arrived, for k in ascending order. Which
-  /// paths have been prepared in this round is known.
+  /// Adds amounts[k] to each step of the path of walk k, if that has arrived, for k in ascending order.
+  /// Paths that were prepared in this round are not split again.
   void deposit(std::span<const Walk> walks, std::span<const double> amounts, bool both_ways,
                std::uint32_t round, Executor& executor);
 
@@ -45,7 +45,6 @@ class SharedDeposits {
 
   void split(std::size_t ant, const Walk& walk);
   void split_the_rest(std::span<const Walk> walks, std::uint32_t round, Executor& executor);
-
   void deposit_within(CellRange cells, std::span<const Walk> walks, std::span<const double> amounts,
                       bool both_ways);
   void deposit_on(std::span<const Stretch> stretches, std::span<const std::uint8_t> path, double amount,
