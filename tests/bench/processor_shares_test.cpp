@@ -14,12 +14,16 @@
 
 #include "bench/executors.hpp"
 #include "tests/support/processors.hpp"
+#include "tests/support/sanitizers.hpp"
 
 namespace pathrace::bench {
 namespace {
 
 using testing::allowed_processors;
 using testing::Processors;
+using testing::thread_sanitizer;
+
+constexpr const char* not_instrumented = "the thread sanitizer would report the locks of OpenMP and TBB";
 
 void in_a_thread_of_its_own(const std::function<void()>& body) {
   std::thread(body).join();
@@ -112,6 +116,7 @@ int threads_on(const Processors& processors) {
 
 // Before the first loop, which might be over before they had started.
 TEST(ProcessorShares, ThreadsOfANewOpenMpExecutorAreAtTheirPlaces) {
+  if (thread_sanitizer) GTEST_SKIP() << not_instrumented;
   if (allowed_processors().size() < 2) GTEST_SKIP() << "needs two processors";
   in_a_thread_of_its_own([] {
     const std::unique_ptr<Executor> executor = make_executor("openmp", 2);
@@ -122,6 +127,7 @@ TEST(ProcessorShares, ThreadsOfANewOpenMpExecutorAreAtTheirPlaces) {
 class TeamOnShares : public ::testing::TestWithParam<std::string> {
  protected:
   void SetUp() override {
+    if (thread_sanitizer) GTEST_SKIP() << not_instrumented;
     if (allowed_processors().size() < 2) GTEST_SKIP() << "needs two processors";
   }
 };
@@ -194,6 +200,7 @@ INSTANTIATE_TEST_SUITE_P(ProcessorShares, TeamOnShares, ::testing::Values("openm
 
 // A worker that is bound would bind those whom it starts.
 TEST(ProcessorShares, AThreadOfATbbTeamMayRunAnywhere) {
+  if (thread_sanitizer) GTEST_SKIP() << not_instrumented;
   const Processors all = allowed_processors();
   if (all.size() < 2) GTEST_SKIP() << "needs two processors";
   in_a_thread_of_its_own([&all] {
@@ -212,6 +219,7 @@ TEST(ProcessorShares, AThreadOfATbbTeamMayRunAnywhere) {
 
 // From its first loop on, in a team and without.
 TEST(ProcessorShares, KeepThreadsOfAnOpenMpExecutorApart) {
+  if (thread_sanitizer) GTEST_SKIP() << not_instrumented;
   const Processors all = allowed_processors();
   if (all.size() < 2) GTEST_SKIP() << "needs two processors";
   in_a_thread_of_its_own([&all] {
