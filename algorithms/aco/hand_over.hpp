@@ -48,8 +48,7 @@ class alignas(128) HandOver : public Ring<HandOver> {
 
   /// Asks the others one after another, and waits for their answers. How many ants were given: to the lanes
   /// from the first on, none of which may be under way. 0 when nobody has any to give, or
-  /// has answered after `patience` looks: an answer is due at once, and ten microseconds are some 500 of
-  /// them.
+  /// has answered after `patience` looks: an answer is due at once, and 500 looks are some ten microseconds.
   std::size_t ask(int patience = 500);
 
  private:

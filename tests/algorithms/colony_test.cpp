@@ -9,6 +9,7 @@
 #include "algorithms/aco/max_min_limits.hpp"
 #include "algorithms/aco/scout.hpp"
 #include "scenarios/library.hpp"
+#include "tests/support/backwards_executor.hpp"
 #include "tests/support/trials.hpp"
 
 namespace pathrace::algorithms {
@@ -52,27 +53,12 @@ TEST(Colony, EveryVariantAndDeadEndIsTheSameOnEveryExecutorAndNumberOfThreads) {
   }
 }
 
-// Says that it has two threads, and runs the chunks of a loop last to first.
-class BackwardsExecutor final : public Executor {
- public:
-  std::string_view name() const override { return "backwards"; }
-  int threads() const override { return 2; }
-  int loops = 0;
-
- private:
-  void run_chunks(std::size_t count, std::size_t grain, ChunkBody body) override {
-    ++loops;
-    for (std::size_t k = (count + grain - 1) / grain; k-- > 0;)
-      body(k * grain, std::min(count, (k + 1) * grain));
-  }
-};
-
 TEST(Colony, DepositsOfLongWalksAreSharedOutAndNothingElseChanges) {
   const Scenario scenario = scenarios::Library().load("dense/100-20/1");
   for (const std::string variant : {"as:", "eas:", "as:alpha=2,", "as:both_ways=false,", "tan2016:"}) {
     const std::string call = variant + "dead_end=backtrack,ants=60";
     const TrialRecord expected = run({call, evaluations(180)}, scenario);
-    BackwardsExecutor backwards;
+    testing::BackwardsExecutor backwards;
     EXPECT_EQ(digest(run_on(backwards, {call, evaluations(180)}, scenario)), digest(expected)) << call;
     EXPECT_EQ(backwards.loops, 6) << call;  // 3 iterations: walks with their stretches, deposits
     for (const std::string& backend : testing::executors_under_test()) {
@@ -111,7 +97,7 @@ TEST(Colony, TheTrailIsTheSameOnSeveralThreadsWhereverTheBudgetEnds) {
       Budget budget = evaluations(900);
       budget.checks = checks;
       const TrialRecord expected = run({call, budget}, scenario);
-      BackwardsExecutor backwards;
+      testing::BackwardsExecutor backwards;
       EXPECT_EQ(digest(run_on(backwards, {call, budget}, scenario)), digest(expected)) << call << checks;
       for (const std::string& backend : testing::executors_under_test()) {
         for (const int threads : {2, 5}) {
@@ -281,7 +267,7 @@ TEST(Colony, LeavesTheImprintOfItsRuleWhetherEarlyOrNot) {
   settings.dead_end = DeadEnd::backtrack;
   settings.max_steps = 45;
   const std::unique_ptr<Executor> serial = bench::make_executor("serial", 1);
-  BackwardsExecutor early;
+  testing::BackwardsExecutor early;
   for (Executor* executor : {serial.get(), static_cast<Executor*>(&early)}) {
     Worn rule(settings);
     Meter meter(evaluations(1000));

@@ -5,12 +5,12 @@
 
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "bench/executors.hpp"
 #include "core/stream.hpp"
 #include "tests/algorithms/trail_field.hpp"
+#include "tests/support/backwards_executor.hpp"
 #include "tests/support/trials.hpp"
 
 namespace pathrace::algorithms {
@@ -58,37 +58,21 @@ void expect_same_pheromone(const Land& land, const Land& expected) {
   }
 }
 
-// Counts loops.
-class LoopCounter final : public Executor {
- public:
-  std::string_view name() const override { return "loop counter"; }
-  int threads() const override { return 1; }
-  int loops() const { return loops_; }
-
- private:
-  void run_chunks(std::size_t count, std::size_t /*grain*/, ChunkBody body) override {
-    ++loops_;
-    body(0, count);
-  }
-
-  int loops_ = 0;
-};
-
 // One loop for paths, one for deposits; the first is left out when everybody has been back in time.
 TEST(SharedDeposits, WhatIsPreparedIsNotSplitAgain) {
   Stream stream(9);
   Land land(9, 9, 1);
-  SharedDeposits deposits(land.nest, land.trail, 3, 1);
-  RollCall roll_call(3, 1);
+  SharedDeposits deposits(land.nest, land.trail, 3, 2);
+  RollCall roll_call(3, 2);
   std::vector<Walk> walks(3);
   for (Walk& walk : walks) walk = bring_home(land.nest, stream);
   const std::vector<double> amounts(3, 1);
   const auto loops_after = [&](std::size_t back, std::uint32_t round) {
     for (std::size_t ant = 0; ant < back; ++ant) roll_call.sign(ant, round);
     deposits.prepare(walks, roll_call, round, 0);
-    LoopCounter counter;
-    deposits.deposit(walks, amounts, true, round, counter);
-    return counter.loops();
+    testing::BackwardsExecutor executor;
+    deposits.deposit(walks, amounts, true, round, executor);
+    return executor.loops;
   };
   EXPECT_EQ(loops_after(2, 1), 2);
   EXPECT_EQ(loops_after(3, 2), 1);
