@@ -1,4 +1,5 @@
 // The leaderboard as text: CSV for programs, columns for people.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -43,10 +44,11 @@ Standing some_standing() {
 }
 
 TEST(LeaderboardCsv, HasTheAgreedColumnsAndADashForNothing) {
-  EXPECT_EQ(csv({some_standing()}), std::string(header) +
-                                        "\n1,\"as:ants=20,alpha=1\",lattice,4,3,0.75,-,0.0625,28.5,6.5,5000,"
-                                        "1234567,0.03125,alone,-,-,-,-,-,-,-\n");
-  EXPECT_EQ(csv({}), std::string(header) + "\n");
+  const std::string row =
+      "1,\"as:ants=20,alpha=1\",lattice,4,3,0.75,-,0.0625,28.5,6.5,5000,"
+      "1234567,0.03125,alone,-,-,-,-,-,-,-";
+  EXPECT_EQ(csv({some_standing()}), fmt::format("{}\n{}\n", header, row));
+  EXPECT_EQ(csv({}), fmt::format("{}\n", header));
 }
 
 TEST(LeaderboardCsv, NamesTheFamilyLast) {
@@ -54,7 +56,7 @@ TEST(LeaderboardCsv, NamesTheFamilyLast) {
   standing.group = "trap-u";
   standing.crowded = true;
   const std::string text = csv({standing});
-  EXPECT_EQ(text.substr(0, text.find('\n')), std::string(header) + ",family");
+  EXPECT_EQ(text.substr(0, text.find('\n')), fmt::format("{},family", header));
   EXPECT_NE(text.find(",crowded,-,-,-,-,-,-,-,trap-u\n"), std::string::npos);
 }
 
