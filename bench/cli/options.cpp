@@ -103,7 +103,9 @@ void add_map_file_options(CLI::App& command, MapFileOptions& options) {
                   "unknown cells of a ROS map or picture: free, blocked or threshold (default: blocked)")
       ->type_name("POLICY")
       ->group(group);
-  command.add_option("--radius", options.radius, "the robot's radius: obstacles grow by it (default: 0)")
+  command
+      .add_option("--radius", options.radius,
+                  "the robot's radius, kept from the edges of blocked cells (default: 0)")
       ->check(CLI::Range(0.0, 1e9))
       ->type_name("METRES")
       ->group(group);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -173,19 +174,25 @@ TEST(MapYaml, WhatIsMissingIsAsMapServerWritesIt) {
   EXPECT_EQ(yaml.rule.free_thresh, 0.196);
 }
 
+// From a cell's centre to the square of side 1 around another, in half edges, squared.
+int squared_half_edges(int dx, int dy) {
+  const auto gap = [](int cells) { return cells == 0 ? 0 : 2 * std::abs(cells) - 1; };
+  return gap(dx) * gap(dx) + gap(dy) * gap(dy);
+}
+
 TEST(Inflate, EqualsTheDefinitionOnRandomMaps) {
   for (std::uint64_t i = 0; i < 60; ++i) {
     Stream stream = Stream(8).fork(i);
     const int width = stream.between(1, 24);
     const OccupancyGrid grid = testing::random_grid(stream.fork(0), width, stream.between(1, 24), 0.05);
-    const double radius = 5 * stream.uniform();
+    const double radius = i % 10 == 0 ? 100 : 5 * stream.uniform();
     OccupancyGrid expected = grid;
     for (int y = 0; y < grid.height(); ++y) {
       for (int x = 0; x < grid.width(); ++x) {
         for (int v = 0; v < grid.height(); ++v) {
           for (int u = 0; u < grid.width(); ++u) {
-            const int squared = (x - u) * (x - u) + (y - v) * (y - v);
-            if (!grid.is_free({u, v}) && squared <= radius * radius) expected.block({x, y});
+            const bool near = squared_half_edges(x - u, y - v) < 4 * radius * radius;
+            if (!grid.is_free({u, v}) && near) expected.block({x, y});
           }
         }
       }
@@ -194,9 +201,19 @@ TEST(Inflate, EqualsTheDefinitionOnRandomMaps) {
   }
 }
 
+TEST(Inflate, ARobotFitsWhereItsDiscDoes) {
+  const OccupancyGrid corridor = testing::grid_of({"####", "....", "....", "....", "####"});
+  EXPECT_EQ(inflated(corridor, 1.5), testing::grid_of({"####", "####", "....", "####", "####"}));
+  EXPECT_EQ(inflated(corridor, 0.075 / 0.05), inflated(corridor, 1.5));
+  EXPECT_EQ(inflated(corridor, 0.099 / 0.05).free_cells(), 0);  // 0.198 m wide, the corridor 0.15 m
+  EXPECT_EQ(inflated(corridor, 0.5), corridor);
+}
+
 TEST(Inflate, TheBorderIsNoObstacleAndWholeMultiplesCount) {
   EXPECT_EQ(inflated(OccupancyGrid(5, 4), 3), OccupancyGrid(5, 4));
-  EXPECT_EQ(inflated(testing::grid_of({"#......"}), 0.15 / 0.05), testing::grid_of({"####..."}));
+  EXPECT_EQ(inflated(testing::grid_of({"#......"}), 2.5), testing::grid_of({"###...."}));
+  EXPECT_EQ(inflated(testing::grid_of({"#......"}), 0.125 / 0.05), testing::grid_of({"###...."}));
+  EXPECT_EQ(inflated(testing::grid_of({"#......"}), 2.51), testing::grid_of({"####..."}));
   EXPECT_THROW(inflated(OccupancyGrid(2, 2), -1), InputError);
 }
 
