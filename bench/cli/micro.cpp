@@ -33,9 +33,8 @@ int micro_command(const MicroCommand& command) {
   pointers.push_back(nullptr);
   std::fflush(stdout);
   execv(program.c_str(), pointers.data());
-  throw EnvironmentError(fmt::format(
-      "{} cannot be run: install libbenchmark-dev, configure again and build the target pathrace_micro",
-      program));
+  throw EnvironmentError(
+      fmt::format("{} cannot be run: ./pathrace micro builds it (it needs libbenchmark-dev)", program));
 }
 
 }  // namespace

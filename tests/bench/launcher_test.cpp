@@ -33,6 +33,7 @@ if [[ $1 == --preset ]]; then
 else
   [[ -e $root/../damaged ]] && { echo "ninja: error: loading 'build.ninja'"; exit 1; }
   [[ -e $root/../compiler_error ]] && { printf 'FAILED: a.o\na.cpp:1: error: no\n'; exit 1; }
+  [[ $* == *micro* ]] && cp "$(dirname "$0")/binary" "$build/pathrace_micro"
   cp "$(dirname "$0")/binary" "$build/pathrace"
 fi
 )sh";
@@ -44,18 +45,23 @@ exit "${EXIT:-0}"
 
 // Knows every package but those that the file `missing` names.
 constexpr auto fake_dpkg_query = R"sh(#!/bin/bash
+[[ -e ${CALLS%/*}/missing ]] && not_there=$(<"${CALLS%/*}/missing")
 for package in "${@:4}"; do
-  grep -qxs "$package" "$(dirname "$CALLS")/missing" && missing=1 || echo "$package installed"
+  [[ " ${not_there//$'\n'/ } " == *" $package "* ]] && missing=1 || echo "$package installed"
 done
 exit "${missing:-0}"
 )sh";
 
+// Installs whatever the file `unobtainable` does not name.
 constexpr auto fake_apt_get = R"sh(#!/bin/bash
 echo "apt-get $*" >>"$CALLS"
 folder=$(dirname "$CALLS")
 if [[ $* == *update* ]]; then rm -f "$folder/stale"; exit 0; fi
 [[ -e $folder/stale ]] && { echo "E: 404 Not Found"; exit 100; }
-rm -f "$folder/missing"
+for package in "$@"; do
+  grep -qxs "$package" "$folder/unobtainable" && { echo "E: Unable to locate package $package"; exit 100; }
+done
+for package in "$@"; do sed -i "/^$package$/d" "$folder/missing"; done
 )sh";
 
 constexpr auto fake_ctest = R"sh(#!/bin/bash
@@ -208,13 +214,66 @@ TEST_F(Launcher, InstallsMissingPackagesAndShowsTheLineBeforeItRunsIt) {
   EXPECT_EQ(outcome.out, "in " + home().string() + " with <>: []\n");
 }
 
-TEST_F(Launcher, NamesAMissingOptionalPackageAndBuildsWithoutIt) {
-  write(home() / "missing", "libompl-dev\n");
+TEST_F(Launcher, InstallsOptionalPackagesAsWell) {
+  write(home() / "missing", "libompl-dev\nlibeigen3-dev\nlibbenchmark-dev\n");
   const Finished outcome = launch();
   EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_EQ(count_calls("apt-get"), 0U);
+  const std::string line =
+      "install --yes --no-install-recommends libompl-dev libeigen3-dev libbenchmark-dev\n";
+  EXPECT_NE(calls().find(line), std::string::npos) << calls();
+  EXPECT_NE(outcome.err.find(line), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("without"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Launcher, BuildsWithoutOptionalPackagesThatCannotBeHadAndNamesThemOnOneLine) {
+  write(home() / "missing", "libompl-dev\nlibtbb-dev\n");
+  write(home() / "unobtainable", "libompl-dev\n");
+  const Finished outcome = launch();
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(count_calls("install --yes --no-install-recommends libtbb-dev\n"), 1U);
   EXPECT_EQ(count_calls("cmake --build"), 1U);
-  EXPECT_NE(outcome.err.find("without the optional libompl-dev"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("\npathrace: building without libompl-dev: apt-get cannot install them ("),
+            std::string::npos)
+      << outcome.err;
+  EXPECT_EQ(launch().err, "");
+}
+
+TEST_F(Launcher, BuildsWithoutOptionalPackagesWhereInstallingIsForbiddenAndNamesThemOnOneLine) {
+  write(home() / "missing", "libompl-dev\nlibbenchmark-dev\n");
+  const Finished outcome = launch("", "PATHRACE_NO_INSTALL=1");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(count_calls("apt-get"), 0U);
+  EXPECT_TRUE(outcome.err.starts_with(
+      "pathrace: building without libompl-dev libbenchmark-dev: PATHRACE_NO_INSTALL=1 "
+      "forbids to install them. README.md says what for; later: sudo apt-get install "
+      "--yes --no-install-recommends libompl-dev libbenchmark-dev\n"))
+      << outcome.err;
+}
+
+TEST_F(Launcher, BuildsWithoutOptionalPackagesWhereThereIsNoRightToInstallThem) {
+  write(home() / "missing", "libompl-dev\n");
+  fs::permissions(home(), fs::perms::all);
+  fs::permissions(root(), fs::perms::all);
+  write(home() / "calls", "");
+  fs::permissions(home() / "calls", fs::perms::all);
+  const Finished outcome = launch_without_rights();
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(count_calls("apt-get"), 0U);
+  EXPECT_NE(outcome.err.find("without libompl-dev: there is no right to install them."), std::string::npos)
+      << outcome.err;
+}
+
+TEST_F(Launcher, ConfiguresAgainWhenAnOptionalPackageCameOrWent) {
+  write(home() / "missing", "libompl-dev\n");
+  launch("", "PATHRACE_NO_INSTALL=1");
+  fs::remove(home() / "missing");
+  EXPECT_EQ(launch().exit_code, 0);
+  EXPECT_EQ(count_calls("cmake --preset"), 2U);
+  EXPECT_EQ(count_calls("cmake --build"), 2U);
+  EXPECT_EQ(launch().err, "");
+  write(home() / "missing", "libompl-dev\n");
+  EXPECT_EQ(launch("", "PATHRACE_NO_INSTALL=1").exit_code, 0);
+  EXPECT_EQ(count_calls("cmake --preset"), 3U);
 }
 
 TEST_F(Launcher, UpdatesThePackageListsWhenInstallingFails) {
@@ -329,6 +388,29 @@ TEST_F(Launcher, TestBuildsEverythingAndPassesArgumentsAndExitCodeOfCTestOn) {
   EXPECT_EQ(count_calls("-DPATHRACE_TESTS=ON\n"), 1U);
   EXPECT_EQ(count_calls("--target all\n"), 1U);
   EXPECT_EQ(count_calls(" -R Stream|Grid\n"), 1U);
+}
+
+TEST_F(Launcher, MicroBuildsTheMicroBenchmarksOnceAndAgainAfterAChange) {
+  launch();
+  const Finished outcome = launch("micro --filter x");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.out, "in " + home().string() + " with <>: [micro] [--filter] [x]\n");
+  EXPECT_EQ(count_calls("--target pathrace pathrace_micro\n"), 1U);
+  EXPECT_EQ(launch("micro").err, "");
+  write(root() / "bench/a.cpp", "22");
+  launch();
+  launch("micro");
+  EXPECT_EQ(count_calls("--target pathrace pathrace_micro\n"), 2U);
+}
+
+TEST_F(Launcher, MicroSaysOnOneLineThatItsPackageCannotBeHad) {
+  write(home() / "missing", "libbenchmark-dev\n");
+  const Finished outcome = launch("micro", "PATHRACE_NO_INSTALL=1");
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_EQ(
+      outcome.err,
+      "pathrace: missing Debian packages, and PATHRACE_NO_INSTALL=1 forbids to install them. Please type: "
+      "sudo apt-get install --yes --no-install-recommends libbenchmark-dev\n");
 }
 
 TEST_F(Launcher, TestNeedsThePackageOfTheTestsAndARunDoesNot) {
