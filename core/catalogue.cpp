@@ -97,7 +97,11 @@ std::string Entrant::full_call() const {
 }
 
 int Entrant::version() const {
-  return card->inner_version ? card->version + card->inner_version(values) - 1 : card->version;
+  return card->inner ? card->version + card->inner(values).version() - 1 : card->version;
+}
+
+bool Entrant::random() const {
+  return card->random || (card->inner && card->inner(values).random());
 }
 
 Catalogue::Catalogue(std::vector<PlannerCard> cards) : cards_(std::move(cards)) {

@@ -29,16 +29,20 @@ inline constexpr auto names_of<Kind> = std::to_array<std::pair<Kind, std::string
     {Kind::floor, "floor"},
 });
 
+struct Entrant;
+
 /// All that is known about a planner without running it.
 struct PlannerCard {
   std::string name;
   Kind kind = Kind::search;
   Track track = Track::lattice;
-  bool deterministic = true;  ///< the same key gives the same record
-  int version = 1;            ///< raised whenever the same key may give another record
-  std::string summary;        ///< one line
-  std::string source;         ///< paper and equations, or the section of the specification
-  Budget default_budget;      ///< used when none is given; the paper's, where it states one
+  bool deterministic = true;     ///< the same key gives the same record
+  bool random = true;            ///< draws random numbers; if not, every repetition gives the same record
+  bool complete_search = false;  ///< finds a way wherever there is one, or spends its budget
+  int version = 1;               ///< raised whenever the same key may give another record
+  std::string summary;           ///< one line
+  std::string source;            ///< paper and equations, or the section of the specification
+  Budget default_budget;         ///< used when none is given; the paper's, where it states one
   std::vector<ParameterCard> parameters;
   /// Every parameter in canonical spelling, given values over the defaults. Throws InputError.
   std::function<ParameterValues(const ParameterValues&)> complete;
@@ -50,8 +54,8 @@ struct PlannerCard {
   /// How tables name a call, given every value; empty: the name with what differs from the defaults.
   std::function<std::string(const ParameterValues&)> spell;
 
-  /// The version of the planner that is a parameter, given every value; empty: no parameter is one.
-  std::function<int(const ParameterValues&)> inner_version;
+  /// The planner that is a parameter, given every value; empty: no parameter is one.
+  std::function<Entrant(const ParameterValues&)> inner;
 
   bool navigates() const { return static_cast<bool>(make_navigator); }
 };
@@ -107,6 +111,8 @@ struct Entrant {
   /// Of the call, and part of a trial's key, too: it rises with the card's version and with that of a planner
   /// that is a parameter. 1 when both are 1.
   int version() const;
+  /// True when the planner or one that is a parameter draws random numbers.
+  bool random() const;
 };
 
 class Catalogue {

@@ -21,9 +21,11 @@ enum class Verdict {
   solved,
   no_path,
   budget,
+  gave_up,
   timeout,
   out_of_memory,
   crashed,
+  exited,
   invalid,
   unsupported,
   bad_scenario
@@ -32,15 +34,35 @@ enum class Verdict {
 template <>
 inline constexpr auto names_of<Verdict> = std::to_array<std::pair<Verdict, std::string_view>>({
     {Verdict::solved, "solved"},
-    {Verdict::no_path, "no_path"},  // a proof, or an honest empty answer
+    {Verdict::no_path, "no_path"},  // a proof only
     {Verdict::budget, "budget"},    // spent without an answer
+    {Verdict::gave_up, "gave_up"},  // ended by itself, with neither an answer nor a proof
     {Verdict::timeout, "timeout"},  // killed
     {Verdict::out_of_memory, "out_of_memory"},
-    {Verdict::crashed, "crashed"},
-    {Verdict::invalid, "invalid"},  // the referee refused the answer
+    {Verdict::crashed, "crashed"},  // an exception or a signal
+    {Verdict::exited, "exited"},    // the planner ended the process
+    {Verdict::invalid, "invalid"},  // the referee refused the answer, or it contradicts the proven optimum
     {Verdict::unsupported, "unsupported"},
     {Verdict::bad_scenario, "bad_scenario"},
 });
+
+/// True of verdicts that say that something is broken, not merely that there is no answer.
+constexpr bool is_fault(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::solved:
+    case Verdict::no_path:
+    case Verdict::budget:
+    case Verdict::gave_up:
+    case Verdict::unsupported: return false;
+    case Verdict::timeout:
+    case Verdict::out_of_memory:
+    case Verdict::crashed:
+    case Verdict::exited:
+    case Verdict::invalid:
+    case Verdict::bad_scenario: return true;
+  }
+  return true;
+}
 
 /// What names a trial. Backend, threads, jobs and wall-time limits are not in it.
 struct TrialKey {

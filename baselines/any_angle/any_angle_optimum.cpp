@@ -8,6 +8,8 @@ PlannerCard any_angle_optimum_card() {
   PlannerCard card;
   card.name = "any-angle-optimum";
   card.kind = Kind::any_angle;
+  card.random = false;
+  card.complete_search = true;
   card.track = Track::any_angle;
   card.summary = "a proven shortest path for a point robot: A* over taut paths around corners";
   card.source = "S. Oh, H. W. Leong, SoCS 2017 (taut paths); D. Harabor et al., JAIR 56, 2016 (Anya)";

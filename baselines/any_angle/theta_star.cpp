@@ -9,6 +9,8 @@ PlannerCard theta_card(std::string name, std::string summary, std::string source
   PlannerCard card;
   card.name = std::move(name);
   card.kind = Kind::any_angle;
+  card.random = false;
+  card.complete_search = true;
   card.track = Track::any_angle;
   card.summary = std::move(summary);
   card.source = std::move(source);

@@ -69,6 +69,7 @@ PlannerCard greedy_card() {
   PlannerCard card;
   card.name = "greedy";
   card.kind = Kind::floor;
+  card.random = false;
   card.summary = "walks to the unvisited neighbour nearest to the goal, until stuck";
   card.source = "floor baseline of this project";
   return without_parameters(std::move(card), unprepared(walk));

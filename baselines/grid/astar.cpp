@@ -8,6 +8,8 @@ PlannerCard astar_card() {
   PlannerCard card;
   card.name = "astar";
   card.kind = Kind::search;
+  card.random = false;
+  card.complete_search = true;
   card.summary = "A* on the grid: an optimal path, with exact integer costs";
   card.version = 2;
   card.source = "P. Hart, N. Nilsson, B. Raphael, IEEE Trans. SSC 4(2), 1968";

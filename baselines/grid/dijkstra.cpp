@@ -8,6 +8,8 @@ PlannerCard dijkstra_card() {
   PlannerCard card;
   card.name = "dijkstra";
   card.kind = Kind::search;
+  card.random = false;
+  card.complete_search = true;
   card.summary = "Dijkstra's algorithm on the grid: an optimal path without a heuristic";
   card.version = 2;
   card.source = "E. W. Dijkstra, Numerische Mathematik 1, 1959";

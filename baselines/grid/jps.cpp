@@ -8,6 +8,8 @@ PlannerCard jps_card() {
   PlannerCard card;
   card.name = "jps";
   card.kind = Kind::search;
+  card.random = false;
+  card.complete_search = true;
   card.summary = "jump point search: an optimal path, scanning 64 cells at a time";
   card.source =
       "D. Harabor, A. Grastien, AAAI 2011 and ICAPS 2014 (block-based scanning, pruning of intermediate "

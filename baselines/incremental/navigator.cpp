@@ -69,6 +69,7 @@ PlannerCard d_star_lite_card() {
   PlannerCard card;
   card.name = "d-star-lite";
   card.kind = Kind::navigator;
+  card.random = false;
   card.summary = "replan(astar) that repairs its last search instead of searching anew";
   card.source = "S. Koenig, M. Likhachev, \"D* Lite\", AAAI 2002, Figure 4";
   using S = IncrementalSettings;

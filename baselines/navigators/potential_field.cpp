@@ -75,6 +75,7 @@ PlannerCard potential_field_card() {
   PlannerCard card;
   card.name = "potential-field";
   card.kind = Kind::navigator;
+  card.random = false;
   card.summary = "is drawn to the goal and pushed away by discs";
   card.source = "O. Khatib, IJRR 5(1), 1986";
   const Schema<FieldSettings> schema{{

@@ -117,6 +117,7 @@ PlannerCard replan_card(const std::shared_ptr<const Catalogue>& planners) {
   PlannerCard card;
   card.name = "replan";
   card.kind = Kind::navigator;
+  card.random = false;
   card.summary = "plans anew before each step, with any planner of static maps: replan(astar)";
   card.source = "yardstick of this project";
   card = with_navigator_parameters(
@@ -125,8 +126,8 @@ PlannerCard replan_card(const std::shared_ptr<const Catalogue>& planners) {
   card.spell = [planners, cards = card.parameters](const ParameterValues& values) {
     return spell(*planners, cards, values);
   };
-  card.inner_version = [planners](const ParameterValues& values) {
-    return inner_entrant(*planners, values.at("planner")).version();
+  card.inner = [planners](const ParameterValues& values) {
+    return inner_entrant(*planners, values.at("planner"));
   };
   return card;
 }

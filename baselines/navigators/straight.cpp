@@ -23,6 +23,7 @@ PlannerCard straight_card() {
   PlannerCard card;
   card.name = "straight";
   card.kind = Kind::floor;
+  card.random = false;
   card.summary = "drives straight at the goal and heeds no disc";
   card.source = "floor baseline of this project";
   return with_navigator_parameters(std::move(card), Schema<StraightSettings>{{}},

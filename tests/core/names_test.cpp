@@ -51,7 +51,7 @@ void expect_round_trip(std::size_t count) {
 TEST(Names, EveryEnumReadsBackWhatItPrints) {
   expect_round_trip<MoveRule>(4);
   expect_round_trip<Track>(3);
-  expect_round_trip<Verdict>(9);
+  expect_round_trip<Verdict>(11);
   expect_round_trip<Kind>(8);
   expect_round_trip<Source>(7);
 }
