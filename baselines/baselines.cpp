@@ -1,5 +1,7 @@
 #include "baselines/baselines.hpp"
 
+#include "baselines/ompl_names.hpp"
+
 #ifdef PATHRACE_OMPL
 #include <iterator>
 
@@ -23,6 +25,17 @@ std::vector<PlannerCard> cards() {
   cards.insert(cards.end(), std::make_move_iterator(library.begin()), std::make_move_iterator(library.end()));
 #endif
   return cards;
+}
+
+std::vector<AbsentPlanner> absent_planners() {
+  std::vector<AbsentPlanner> absent;
+#ifndef PATHRACE_OMPL
+  for (std::string& name : ompl_names()) {
+    absent.push_back(
+        {std::move(name), "OMPL: apt-get install libompl-dev, then ./pathrace builds again, with it"});
+  }
+#endif
+  return absent;
 }
 
 }  // namespace pathrace::baselines

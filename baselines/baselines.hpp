@@ -10,4 +10,7 @@ namespace pathrace::baselines {
 /// One card per line of planners.def and, with OMPL, of ompl/planners.def.
 std::vector<PlannerCard> cards();
 
+/// The planners of OMPL where it is not installed; otherwise none.
+std::vector<AbsentPlanner> absent_planners();
+
 }  // namespace pathrace::baselines

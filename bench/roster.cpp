@@ -15,7 +15,7 @@ std::shared_ptr<const Catalogue> planners_of_maps(const std::vector<PlannerCard>
   std::vector<PlannerCard> chosen;
   std::copy_if(cards.begin(), cards.end(), std::back_inserter(chosen),
                [](const PlannerCard& card) { return !card.navigates(); });
-  return std::make_shared<const Catalogue>(std::move(chosen));
+  return std::make_shared<const Catalogue>(std::move(chosen), baselines::absent_planners());
 }
 
 }  // namespace
@@ -27,7 +27,7 @@ const Catalogue& roster() {
     cards.insert(cards.end(), std::make_move_iterator(yardsticks.begin()),
                  std::make_move_iterator(yardsticks.end()));
     cards.push_back(baselines::replan_card(planners_of_maps(cards)));
-    return Catalogue(std::move(cards));
+    return Catalogue(std::move(cards), baselines::absent_planners());
   }();
   return catalogue;
 }

@@ -153,6 +153,17 @@ TrialPlan plan_trials(const Campaign& campaign, const scenarios::Library& librar
   return Planning(campaign, library).run(catalogue);
 }
 
+std::vector<std::string> leave_out_absent(Campaign& campaign, const Catalogue& catalogue) {
+  std::vector<std::string> names;
+  std::erase_if(campaign.planners, [&](const PlannerChoice& choice) {
+    const std::string name = parse_call(choice.name).name;
+    if (catalogue.absent(name) == nullptr) return false;
+    names.push_back(name);
+    return true;
+  });
+  return names;
+}
+
 void add_recorded_maps(Campaign& campaign, const std::filesystem::path& folder,
                        std::vector<std::string>* left_out) {
   campaign.maps = std::filesystem::absolute(folder).lexically_normal();

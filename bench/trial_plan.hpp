@@ -41,6 +41,9 @@ struct TrialPlan {
 TrialPlan plan_trials(const Campaign& campaign, const scenarios::Library& library,
                       const Catalogue& catalogue);
 
+/// Takes planners out of the campaign that the catalogue knows as absent. Returns their names.
+std::vector<std::string> leave_out_absent(Campaign& campaign, const Catalogue& catalogue);
+
 /// Adds recorded queries, spread over each scen file of the folder, to a campaign.
 void add_recorded_maps(Campaign& campaign, const std::filesystem::path& folder,
                        std::vector<std::string>* left_out);

@@ -104,7 +104,8 @@ bool Entrant::random() const {
   return card->random || (card->inner && card->inner(values).random());
 }
 
-Catalogue::Catalogue(std::vector<PlannerCard> cards) : cards_(std::move(cards)) {
+Catalogue::Catalogue(std::vector<PlannerCard> cards, std::vector<AbsentPlanner> absent)
+    : cards_(std::move(cards)), absent_(std::move(absent)) {
   std::sort(cards_.begin(), cards_.end(),
             [](const PlannerCard& a, const PlannerCard& b) { return a.name < b.name; });
 }
@@ -115,7 +116,17 @@ const PlannerCard& Catalogue::find(std::string_view name) const {
     if (card.name == name) return card;
     known.push_back(card.name);
   }
+  if (const AbsentPlanner* planner = absent(name)) {
+    throw InputError(fmt::format("planner '{}' needs {}", name, planner->needs));
+  }
+  for (const AbsentPlanner& planner : absent_) known.push_back(planner.name);
   throw InputError(unknown_name("planner", name, known));
+}
+
+const AbsentPlanner* Catalogue::absent(std::string_view name) const {
+  const auto found = std::find_if(absent_.begin(), absent_.end(),
+                                  [name](const AbsentPlanner& planner) { return planner.name == name; });
+  return found != absent_.end() ? &*found : nullptr;
 }
 
 Entrant Catalogue::enter(const PlannerCall& call, std::string label) const {

@@ -115,18 +115,27 @@ struct Entrant {
   bool random() const;
 };
 
+/// A planner that this build lacks.
+struct AbsentPlanner {
+  std::string name;
+  std::string needs;  ///< what it needs, and how to get it
+};
+
 class Catalogue {
  public:
-  explicit Catalogue(std::vector<PlannerCard> cards);
+  explicit Catalogue(std::vector<PlannerCard> cards, std::vector<AbsentPlanner> absent = {});
 
   const std::vector<PlannerCard>& cards() const { return cards_; }
-  /// Throws InputError that names the nearest match.
+  /// Throws InputError that says what an absent planner needs, or names the nearest match.
   const PlannerCard& find(std::string_view name) const;
+  /// Null for planners that are here, and for names that nobody knows.
+  const AbsentPlanner* absent(std::string_view name) const;
   /// Settles a call's values; the label defaults to the shortest call that means the same.
   Entrant enter(const PlannerCall& call, std::string label = "") const;
 
  private:
   std::vector<PlannerCard> cards_;
+  std::vector<AbsentPlanner> absent_;
 };
 
 }  // namespace pathrace

@@ -60,7 +60,13 @@ Campaign chosen_campaign(const RunCommand& command, const RunFolder& folder) {
   if (command.builtin.empty() && command.resume && has_store(folder)) {  // go on with what the folder holds
     return parse_campaign(open_store(folder).identity().toml, folder.store().string());
   }
-  return builtin_campaign(command.builtin.empty() ? "starter" : command.builtin);
+  Campaign campaign = builtin_campaign(command.builtin.empty() ? "starter" : command.builtin);
+  const std::vector<std::string> absent = leave_out_absent(campaign, roster());
+  if (!absent.empty()) {
+    say(fmt::format("left out: {}; each needs {}", fmt::join(absent, ", "),
+                    roster().absent(absent.front())->needs));
+  }
+  return campaign;
 }
 
 // The campaign's own path of maps counts from its file; on the command line, from the current folder.

@@ -11,6 +11,7 @@
 
 #include "baselines/ompl/cards.hpp"
 #include "baselines/ompl/random.hpp"
+#include "baselines/ompl_names.hpp"
 #include "scenarios/library.hpp"
 #include "tests/support/sanitizers.hpp"
 #include "tests/support/trials.hpp"
@@ -43,6 +44,15 @@ TEST(Ompl, ThirtyPlannersRaceAndAtLeast27PromiseToRepeat) {
       std::count_if(cards.begin(), cards.end(), [](const PlannerCard& card) { return card.deterministic; }),
       27);
   for (const PlannerCard& card : cards) EXPECT_EQ(card.track, Track::any_angle) << card.name;
+}
+
+TEST(Ompl, ItsNamesAreKnownWithoutTheLibrary) {
+  std::vector<std::string> names;
+  for (const PlannerCard& card : baselines::ompl_cards()) names.push_back(card.name);
+  std::vector<std::string> known = baselines::ompl_names();
+  std::sort(names.begin(), names.end());
+  std::sort(known.begin(), known.end());
+  EXPECT_EQ(names, known);
 }
 
 std::vector<std::string> planners() {

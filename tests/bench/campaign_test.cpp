@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "baselines/ompl_names.hpp"
 #include "bench/roster.hpp"
 #include "bench/trial_plan.hpp"
 #include "core/error.hpp"
@@ -58,12 +59,33 @@ TEST(Campaign, ReadsEveryKey) {
 
 TEST(Campaign, SurvivesBeingPrintedAndReadAgain) {
   const scenarios::Library library;
-  for (const std::string& text :
-       {std::string(complete), to_toml(builtin_campaign("starter")), to_toml(builtin_campaign("smoke"))}) {
-    const Campaign campaign = parse_campaign(text, "x.toml");
+  for (Campaign campaign :
+       {parse_campaign(complete, "x.toml"), builtin_campaign("starter"), builtin_campaign("smoke")}) {
+    leave_out_absent(campaign, roster());
     const Campaign again = parse_campaign(to_toml(campaign), "printed.toml");
     EXPECT_EQ(plan_trials(campaign, library, roster()).hash(), plan_trials(again, library, roster()).hash());
   }
+}
+
+// The roster of a build without OMPL.
+Catalogue roster_without_ompl() {
+  std::vector<PlannerCard> cards = roster().cards();
+  std::erase_if(cards, [](const PlannerCard& card) { return card.kind == Kind::ompl; });
+  std::vector<AbsentPlanner> absent;
+  for (std::string& name : baselines::ompl_names()) absent.push_back({std::move(name), "OMPL"});
+  return Catalogue(std::move(cards), std::move(absent));
+}
+
+TEST(Campaign, TheStarterRacesThreePlannersOfOmplOrLeavesThemOut) {
+  const scenarios::Library library;
+  const Catalogue catalogue = roster_without_ompl();
+  Campaign campaign = builtin_campaign("starter");
+  const std::size_t all = campaign.planners.size();
+  EXPECT_THROW(plan_trials(campaign, library, catalogue), InputError);
+  EXPECT_EQ(leave_out_absent(campaign, catalogue),
+            (std::vector<std::string>{"ompl-rrt-connect", "ompl-rrt-star", "ompl-bit-star"}));
+  EXPECT_EQ(campaign.planners.size(), all - 3);
+  EXPECT_NO_THROW(plan_trials(campaign, library, catalogue));
 }
 
 TEST(Campaign, AListOfValuesIsOnePlannerPerValue) {

@@ -81,7 +81,8 @@ using pathrace::testing::Finished;
 class Launcher : public ::testing::Test {
  protected:
   Launcher() {
-    for (const char* folder : {"cmake", "core", "scenarios", "algorithms", "baselines", "results", "bench"}) {
+    for (const char* folder :
+         {"cmake", "campaigns", "core", "scenarios", "algorithms", "baselines", "results", "bench"}) {
       write(root() / folder / "a.cpp", "1");
     }
     write(root() / "CMakeLists.txt", "1");

@@ -134,6 +134,16 @@ TEST(Catalogue, FindsACardOrNamesTheNearestMatch) {
   EXPECT_EQ(refusal([&] { (void)all.find("TAN"); }).substr(0, 21), "unknown planner 'TAN'");
 }
 
+TEST(Catalogue, SaysWhatAnAbsentPlannerNeeds) {
+  const Catalogue some({without_parameters(named("astar"), give_up())}, {{"rrt", "OMPL: install it"}});
+  EXPECT_EQ(refusal([&] { (void)some.find("rrt"); }), "planner 'rrt' needs OMPL: install it");
+  EXPECT_EQ(refusal([&] { (void)some.find("rtr"); }), "unknown planner 'rtr'; the nearest match is 'rrt'");
+  ASSERT_NE(some.absent("rrt"), nullptr);
+  EXPECT_EQ(some.absent("rrt")->needs, "OMPL: install it");
+  EXPECT_EQ(some.absent("astar"), nullptr);
+  EXPECT_EQ(some.absent("rtr"), nullptr);
+}
+
 TEST(Catalogue, AnEntrantKnowsEveryParameter) {
   const Catalogue all = catalogue();
   const Entrant entrant = enter(all, "tan:ants=20");
