@@ -113,8 +113,9 @@ class Verifier {
   }
 
   void read(const results::Store& store) {
-    store.for_each([this](const TrialRow& row) {
+    store.inspect([this](const TrialRow& row) {
       ++result_.rows;
+      if (row.altered) differ(row, "changed after it was recorded");
       const auto trial = trial_of_.find(row.key);
       if (trial == trial_of_.end()) return differ(row, "the campaign has no trial with this key");
       const std::uint64_t own = results::recomputed_digest(row);
@@ -149,7 +150,7 @@ class Verifier {
                  if (!equal) unequal_.emplace(trial.hash, std::move(row));
                });
     if (unequal_.empty()) return;
-    store.for_each([this](const TrialRow& row) {
+    store.inspect([this](const TrialRow& row) {
       const auto again = unequal_.find(row.key);
       if (again == unequal_.end()) return;
       differ(row, first_difference(row, again->second));

@@ -91,6 +91,8 @@ struct Costs {
   bool crowded = false;                  ///< other trials ran at the same time
   std::optional<double> step_ms_median;  ///< of a navigator's steps
   std::optional<double> step_ms_p99;     ///< 99th percentile, the nearest rank
+  std::optional<double> user_s;    ///< processor time of the threads that worked for the trial, where known
+  std::optional<double> system_s;  ///< the part of it that the kernel spent for them
 };
 
 struct TrialRecord {

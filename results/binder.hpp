@@ -39,6 +39,7 @@ class Binder {
   }
   Binder& real(const std::optional<double>& value) { return value ? real(*value) : null(); }
   Binder& integer(const std::optional<int>& value) { return value ? integer(std::int64_t{*value}) : null(); }
+  Binder& flag(const std::optional<bool>& value) { return value ? integer(std::int64_t{*value}) : null(); }
   Binder& count(const std::optional<std::uint64_t>& value) { return value ? count(*value) : null(); }
   Binder& null() {
     statement_.bind(++index_);

@@ -79,6 +79,9 @@ class Columns {
     if (!column.isInteger() || (column.getInt64() != 0 && column.getInt64() != 1)) fail(column, "0 or 1");
     return column.getInt64() == 1;
   }
+  std::optional<bool> optional_flag() {
+    return optional([this] { return flag(); });
+  }
 
   /// Text that `parse` understands; its complaint comes out with the column's name.
   template <typename Parse>

@@ -14,6 +14,8 @@
 #include <system_error>
 
 #include "core/hash.hpp"
+#include "results/altered_store.hpp"
+#include "results/migration.hpp"
 #include "results/number_text.hpp"
 #include "results/schema.hpp"
 
@@ -43,6 +45,7 @@ void write_meta(SQLite::Database& database, const StoreIdentity& identity) {
   put("hash", hex(identity.hash));
   put("seed", std::to_string(identity.seed));
   put("trials", std::to_string(identity.trials));
+  put("recorded", "0");
 }
 
 void write_empty_store(const fs::path& file, const StoreIdentity& identity) {
@@ -70,7 +73,8 @@ int header_number(const SQLite::Database& database, const char* pragma) {
   return statement.getColumn(0).getInt();
 }
 
-void require_our_schema(const fs::path& file, const SQLite::Database& database) {
+// Returns the version.
+int require_our_schema(const fs::path& file, const SQLite::Database& database) {
   const int application = header_number(database, "application_id");
   const int version = header_number(database, "user_version");
   if (application != application_id) {
@@ -78,10 +82,11 @@ void require_our_schema(const fs::path& file, const SQLite::Database& database) 
         "{}: an SQLite database, but not a pathrace store (application id {:#x}, expected {:#x})",
         file.string(), static_cast<unsigned>(application), static_cast<unsigned>(application_id)));
   }
-  if (version != schema_version) {
+  if (version < oldest_schema_version || version > schema_version) {
     throw InputError(fmt::format("{}: a pathrace store of schema version {}; this program expects version {}",
                                  file.string(), version, schema_version));
   }
+  return version;
 }
 
 // A reader opens for writing too where it may: then the last one out folds the log of a killed run into the
@@ -198,8 +203,9 @@ SQLite::Database open_database(const fs::path& file, Access access) {
   require_readable_file(file);
   try {
     SQLite::Database database = access == Access::read ? connect_to_read(file) : connect(file);
-    require_our_schema(file, database);
+    const int version = require_our_schema(file, database);
     if (access == Access::append) prepare_to_append(file, database);
+    bring_up_to_date(file, database, version, access);
     if (access == Access::read) database.exec("PRAGMA query_only = 1");
     return database;
   } catch (const SQLite::Exception& error) {
@@ -215,6 +221,25 @@ StoreIdentity read_identity(const SQLite::Database& database) {
   identity.seed = parsed_meta(database, "seed", parse_count);
   identity.trials = parsed_meta(database, "trials", parse_count);
   return identity;
+}
+
+void require_all_rows(const SQLite::Database& database) {
+  // One statement, since a writer may append between two.
+  SQLite::Statement select(database,
+                           "SELECT value, (SELECT count(*) FROM trial) FROM meta WHERE name = 'recorded'");
+  if (!select.executeStep()) throw InputError("table 'meta' has no 'recorded'");
+  const std::string recorded = select.getColumn(0).getString();
+  const std::string rows = select.getColumn(1).getString();
+  if (rows == recorded) return;
+  throw AlteredStore(fmt::format("holds {} trials where {} were recorded", rows, recorded));
+}
+
+void count_recorded(SQLite::Database& database, std::size_t rows) {
+  SQLite::Statement update(database,
+                           "UPDATE meta SET value = CAST(CAST(value AS INTEGER) + ? AS TEXT) "
+                           "WHERE name = 'recorded'");
+  update.bind(1, static_cast<std::int64_t>(rows));
+  update.exec();
 }
 
 InputError reading_error(const fs::path& file, const SQLite::Exception& error, std::uint64_t last_key) {

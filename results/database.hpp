@@ -25,6 +25,11 @@ SQLite::Database open_database(const std::filesystem::path& file, Access access)
 /// Throws SQLite::Exception or InputError.
 StoreIdentity read_identity(const SQLite::Database& database);
 
+/// Throws AlteredStore unless there are as many trials as were recorded. Throws SQLite::Exception.
+void require_all_rows(const SQLite::Database& database);
+/// Adds to the number of recorded trials; the caller opens and commits the transaction.
+void count_recorded(SQLite::Database& database, std::size_t rows);
+
 /// What an SQLite error means to a reader, after the row with this key (0: none yet), and to a writer.
 InputError reading_error(const std::filesystem::path& file, const SQLite::Exception& error,
                          std::uint64_t last_key = 0);

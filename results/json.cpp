@@ -69,6 +69,8 @@ Json object_of(const TrialRow& row, const Scenario& scenario) {
   object["threads"] = row.costs.threads;
   object["threads_used"] = row.costs.threads_used;
   object["wall_s"] = row.costs.wall_s;
+  object["user_s"] = nullable(row.costs.user_s);
+  object["system_s"] = nullable(row.costs.system_s);
   object["note"] = row.note.empty() ? Json(nullptr) : Json(row.note);
   object["counters"] = Json::object();
   if (scenario.world) add_run(object, row);

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "core/error.hpp"
 #include "core/gap.hpp"
+#include "core/hash.hpp"
 #include "results/number_text.hpp"
 #include "results/quote.hpp"
 #include "results/split.hpp"
@@ -59,6 +62,7 @@ TrialRow make_row(const TrialKey& key, const Scenario& scenario, const Entrant& 
   row.note = record.note;
   row.track = entrant.card->track;
   row.rule = scenario.terrain.rule;
+  row.draws = entrant.random();
   row.optimum = reference_length(scenario, row.track);
   if (record.verdict == Verdict::solved && record.metrics) copy_metrics(*record.metrics, scenario, row);
   if (scenario.world) copy_run(record, *scenario.world, row);
@@ -79,6 +83,64 @@ std::uint64_t recomputed_digest(const TrialRow& row) {
   record.work = row.work;
   record.trace = row.trace;
   return digest(record);
+}
+
+namespace {
+
+// Stores keep no NaN: it comes back as no value.
+void add(Hasher& hasher, const std::optional<double>& value) {
+  const bool known = value && !std::isnan(*value);
+  hasher.add(std::uint64_t{known ? 1U : 0U});
+  if (known) hasher.add(*value);
+}
+template <typename T>
+void add(Hasher& hasher, const std::optional<T>& value) {
+  hasher.add(std::uint64_t{value ? 1U : 0U});
+  if (value) hasher.add(static_cast<std::uint64_t>(*value));
+}
+
+void add(Hasher& hasher, const RunMetrics& run) {
+  hasher.add(run.steps).add(run.travelled).add(run.collisions).add(run.struck);
+  add(hasher, run.min_clearance);
+  hasher.add(run.oscillations).add(run.world_hash);
+}
+
+void add(Hasher& hasher, const Costs& costs) {
+  hasher.add(costs.wall_s).add(costs.setup_s).add(std::string_view(costs.backend));
+  hasher.add(costs.threads).add(costs.threads_used).add(int{costs.crowded});
+  for (const auto* time : {&costs.step_ms_median, &costs.step_ms_p99, &costs.user_s, &costs.system_s}) {
+    add(hasher, *time);
+  }
+}
+
+}  // namespace
+
+std::uint64_t checksum(const TrialRow& row) {
+  Hasher hasher;
+  for (const std::string* text : {&row.scenario, &row.planner, &row.call, &row.budget, &row.note}) {
+    hasher.add(std::string_view(*text));
+  }
+  hasher.add(row.key).add(row.version).add(row.repetition).add(row.seed);
+  hasher.add(name(row.verdict)).add(name(row.track)).add(name(row.rule));
+  for (const auto* metric :
+       {&row.length, &row.optimum, &row.gap, &row.turn_angle, &row.clearance_min, &row.clearance_mean}) {
+    add(hasher, *metric);
+  }
+  add(hasher, row.turns);
+  hasher.add(row.work.evaluations).add(row.work.iterations).add(row.work.checks);
+  hasher.add(row.digest).add(int{row.timed}).add(std::uint64_t{row.run ? 1U : 0U});
+  if (row.run) add(hasher, *row.run);
+  add(hasher, row.least_steps);
+  add(hasher, row.costs);
+  hasher.add(row.session);
+  add(hasher, row.draws);
+  return hasher.value();
+}
+
+std::uint64_t checksum(const std::vector<std::optional<std::string_view>>& texts) {
+  Hasher hasher;
+  for (const auto& text : texts) hasher.add(std::uint64_t{text ? 1U : 0U}).add(text.value_or(""));
+  return hasher.value();
 }
 
 std::string print_points(const Path& path) {

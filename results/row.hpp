@@ -40,7 +40,10 @@ struct TrialRow {
   std::uint64_t digest = 0;
   bool timed = false;  ///< cut short by a wall-time limit, or promises no repetition
   Costs costs;
-  Answer answer;  ///< the path itself
+  int session = 0;            ///< whose machine it ran on: Store::begin_session; 0: unknown
+  bool altered = false;       ///< as read from a store: changed after it was recorded
+  std::optional<bool> draws;  ///< whether the planner draws random numbers; empty: unknown
+  Answer answer;              ///< the path itself
   std::vector<TracePoint> trace;
   std::vector<Counter> counters;
 };
@@ -51,6 +54,11 @@ TrialRow make_row(const TrialKey& key, const Scenario& scenario, const Entrant& 
 /// The digest that the row's own verdict, path, work and trace add up to; differs from `row.digest` when a
 /// stored row was altered.
 std::uint64_t recomputed_digest(const TrialRow& row);
+
+/// Hash of everything that a slim row holds, costs included: tells whether a stored row was changed.
+std::uint64_t checksum(const TrialRow& row);
+/// The same of columns of text, null for none.
+std::uint64_t checksum(const std::vector<std::optional<std::string_view>>& texts);
 
 /// The path as text, "0,0 1,1 2,1", in the shortest decimals that read back as the same numbers.
 std::string print_points(const Path& path);

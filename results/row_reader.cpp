@@ -1,6 +1,7 @@
 #include "results/row_reader.hpp"
 
 #include "core/error.hpp"
+#include "core/hash.hpp"
 #include "results/columns.hpp"
 #include "results/counters_text.hpp"
 #include "results/number_text.hpp"
@@ -64,7 +65,20 @@ void read_slim_columns(Columns& columns, TrialRow& row) {
   row.least_steps = columns.optional_count();
   row.costs.step_ms_median = columns.optional_real();
   row.costs.step_ms_p99 = columns.optional_real();
+  row.costs.user_s = columns.optional_real();
+  row.costs.system_s = columns.optional_real();
+  row.session = columns.integer();
+  row.draws = columns.optional_flag();
 }
+
+// A store of version 5 has none.
+bool matches(Columns& columns, std::uint64_t due) {
+  if (!columns.null()) return columns.parsed(parse_hex) == due;
+  columns.skip();
+  return true;
+}
+
+constexpr int answer_columns = 4;  // path_track, path, trace, counters; their checksum is the last of all
 
 void read_answer_columns(Columns& columns, TrialRow& row) {
   row.answer.reset();
@@ -86,19 +100,24 @@ void read_answer_columns(Columns& columns, TrialRow& row) {
 void read_slim(SQLite::Statement& statement, TrialRow& row) {
   Columns columns(statement);
   read_slim_columns(columns, row);
+  row.altered = !matches(columns, checksum(row));
 }
 
 void read_full(SQLite::Statement& statement, TrialRow& row) {
   Columns columns(statement);
   read_slim_columns(columns, row);
+  row.altered = !matches(columns, checksum(row));
   read_answer_columns(columns, row);
+  if (!matches(columns, answer_checksum(statement))) row.altered = true;
 }
 
-void read_digest(SQLite::Statement& statement, TrialRow& row) {
-  Columns columns(statement);
-  row.key = columns.parsed(parse_hex);
-  row.digest = columns.parsed(parse_hex);
-  row.timed = columns.flag();
+std::uint64_t answer_checksum(SQLite::Statement& statement) {
+  std::vector<std::optional<std::string_view>> texts;
+  for (int i = statement.getColumnCount() - 1 - answer_columns; i < statement.getColumnCount() - 1; ++i) {
+    const SQLite::Column column = statement.getColumn(i);
+    texts.push_back(column.isNull() ? std::nullopt : std::optional(text_of(column)));
+  }
+  return checksum(texts);
 }
 
 void read_scenario(SQLite::Statement& statement, ScenarioRow& row) {

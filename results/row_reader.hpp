@@ -10,13 +10,14 @@
 namespace pathrace::results {
 
 /// Reads the current row of select_slim() into `row`, path and trace excepted. Throws InputError that names
-/// the column; `row.key` is then already read, unless it is the broken one.
+/// the column; `row.key` is then already read, unless it is the broken one. `row.altered` tells
+/// whether they match their checksum.
 void read_slim(SQLite::Statement& statement, TrialRow& row);
 /// The same for select_full(), path and trace included.
 void read_full(SQLite::Statement& statement, TrialRow& row);
 
-/// Key, digest and `timed` of select_digests().
-void read_digest(SQLite::Statement& statement, TrialRow& row);
+/// Of path, trace and counters, from the current row of select_full().
+std::uint64_t answer_checksum(SQLite::Statement& statement);
 
 /// The question of the current row of select_scenarios(), and its feature if there is one.
 void read_scenario(SQLite::Statement& statement, ScenarioRow& row);

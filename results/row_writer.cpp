@@ -59,19 +59,19 @@ RowWriter::RowWriter(SQLite::Database& database)
       references_(database),
       planners_(database,
                 "SELECT number FROM planner WHERE label = ? AND call = ? AND version = ? AND track = ? "
-                "AND budget = ?",
-                "INSERT INTO planner (label, call, version, track, budget) VALUES (?, ?, ?, ?, ?)"),
+                "AND budget = ? AND draws IS ?",
+                "INSERT INTO planner (label, call, version, track, budget, draws) VALUES (?, ?, ?, ?, ?, ?)"),
       insert_trial_(
           database,
           "INSERT INTO trial (key, scenario, planner, repetition, seed, verdict, note, length, gap, "
           "turns, turn_angle, clearance_min, clearance_mean, evaluations, iterations, checks, "
           "digest, timed, wall_s, setup_s, backend, threads, threads_used, crowded, steps, travelled, "
           "collisions, struck, min_clearance, oscillations, world_hash, least_steps, step_ms_median, "
-          "step_ms_p99) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
-          "?, "
-          "?, ?, ?, ?, ?, ?, ?, ?)"),
-      insert_answer_(
-          database, "INSERT INTO answer (trial, path_track, path, trace, counters) VALUES (?, ?, ?, ?, ?)") {}
+          "step_ms_p99, user_s, system_s, session, checksum) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+          "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+      insert_answer_(database,
+                     "INSERT INTO answer (trial, path_track, path, trace, counters, checksum) "
+                     "VALUES (?, ?, ?, ?, ?, ?)") {}
 
 void RowWriter::write(const TrialRow& row) {
   write_trial(row);
@@ -86,14 +86,16 @@ void RowWriter::forget() {
 
 std::int64_t RowWriter::planner_number(const TrialRow& row) {
   const std::string version = std::to_string(row.version);
-  return planners_.number(identity_text({row.planner, row.call, version, name(row.track), row.budget}),
+  const std::string_view draws = !row.draws ? "" : *row.draws ? "1" : "0";
+  return planners_.number(identity_text({row.planner, row.call, version, name(row.track), row.budget, draws}),
                           [&row](SQLite::Statement& statement) {
                             Binder(statement)
                                 .text(row.planner)
                                 .text(row.call)
                                 .integer(std::int64_t{row.version})
                                 .name(name(row.track))
-                                .text(row.budget);
+                                .text(row.budget)
+                                .flag(row.draws);
                           });
 }
 
@@ -144,7 +146,13 @@ void RowWriter::write_trial(const TrialRow& row) {
       .integer(std::int64_t{row.costs.threads_used})
       .integer(std::int64_t{row.costs.crowded});
   bind_run(binder, row.run);
-  binder.count(row.least_steps).real(row.costs.step_ms_median).real(row.costs.step_ms_p99);
+  binder.count(row.least_steps)
+      .real(row.costs.step_ms_median)
+      .real(row.costs.step_ms_p99)
+      .real(row.costs.user_s)
+      .real(row.costs.system_s)
+      .integer(std::int64_t{row.session})
+      .name(hex(checksum(row)));
   insert_trial_.exec();
 }
 
@@ -159,7 +167,11 @@ void RowWriter::write_answer(const TrialRow& row) {
   } else {
     binder.null().null();
   }
-  binder.text(trace).text(counters);
+  const auto in_answer = [&row](std::string_view text) {
+    return row.answer ? std::optional(text) : std::nullopt;
+  };
+  binder.text(trace).text(counters).name(hex(
+      checksum({in_answer(row.answer ? name(row.answer->track) : ""), in_answer(path), trace, counters})));
   insert_answer_.exec();
 }
 

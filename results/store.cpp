@@ -13,6 +13,9 @@
 
 #include "core/error.hpp"
 #include "core/hash.hpp"
+#include "results/altered_store.hpp"
+#include "results/binder.hpp"
+#include "results/columns.hpp"
 #include "results/database.hpp"
 #include "results/number_text.hpp"
 #include "results/quote.hpp"
@@ -33,12 +36,15 @@ class Store::Impl {
       : file(std::move(where)), lock(std::move(held)), database(open_database(file, access)) {
     try {
       identity = read_identity(database);
+      require_all_rows(database);
       if (access == Access::append) {
         writer.emplace(database);
         describer.emplace(database);
       }
     } catch (const SQLite::Exception& error) {
       throw reading_error(file, error);
+    } catch (const AlteredStore& error) {
+      throw AlteredStore(fmt::format("{}: {}", file.string(), error.what()));
     } catch (const InputError& error) {
       throw InputError(fmt::format("{}: the store is damaged: {}", file.string(), error.what()));
     }
@@ -65,6 +71,16 @@ class Store::Impl {
       last_key = row.key;
       visit(row);
     });
+  }
+
+  Visit unaltered(const Visit& visit) const {
+    return [this, &visit](const TrialRow& row) {
+      if (row.altered) {
+        throw AlteredStore(fmt::format("{}: the row with key {} was changed after it was recorded",
+                                       file.string(), hex(row.key)));
+      }
+      visit(row);
+    };
   }
 
   const fs::path file;
@@ -145,6 +161,7 @@ const StoreIdentity& Store::identity() const {
 void Store::append(const std::vector<TrialRow>& rows) {
   impl_->transact([&] {
     for (const TrialRow& row : rows) impl_->writer->write(row);
+    count_recorded(impl_->database, rows.size());
   });
 }
 
@@ -152,6 +169,21 @@ void Store::describe(const std::vector<ScenarioRow>& rows) {
   impl_->transact([&] {
     for (const ScenarioRow& row : rows) impl_->describer->write(row);
   });
+}
+
+int Store::begin_session(const std::vector<MachineFact>& facts) {
+  int session = 0;
+  impl_->transact([&] {
+    SQLite::Statement next(impl_->database, "SELECT ifnull(max(session), 0) + 1 FROM machine");
+    next.executeStep();
+    session = next.getColumn(0).getInt();
+    SQLite::Statement insert(impl_->database, "INSERT INTO machine (session, name, value) VALUES (?, ?, ?)");
+    for (const MachineFact& fact : facts) {
+      Binder(insert).integer(std::int64_t{session}).text(fact.name).text(fact.value);
+      insert.exec();
+    }
+  });
+  return session;
 }
 
 std::uint64_t Store::size() const {
@@ -170,17 +202,28 @@ std::unordered_set<std::uint64_t> Store::keys() const {
 
 std::vector<KeyedDigest> Store::digests() const {
   std::vector<KeyedDigest> digests;
-  impl_->visit_rows(select_digests(), read_digest, [&digests](const TrialRow& row) {
-    digests.push_back({row.key, row.digest, row.timed});
-  });
+  for_each_slim([&digests](const TrialRow& row) { digests.push_back({row.key, row.digest, row.timed}); });
   return digests;
 }
 
 void Store::for_each(const Visit& visit) const {
-  impl_->visit_rows(select_full(), read_full, visit);
+  impl_->visit_rows(select_full(), read_full, impl_->unaltered(visit));
 }
 void Store::for_each_slim(const Visit& visit) const {
-  impl_->visit_rows(select_slim(), read_slim, visit);
+  impl_->visit_rows(select_slim(), read_slim, impl_->unaltered(visit));
+}
+void Store::inspect(const Visit& visit) const {
+  impl_->visit_rows(select_full(), read_full, visit);
+}
+
+void Store::for_each_fact(const VisitFact& visit) const {
+  impl_->scan("SELECT session, name, value FROM machine ORDER BY session, name",
+              [&](SQLite::Statement& statement, std::uint64_t&) {
+                Columns columns(statement);
+                const int session = columns.integer();
+                const std::string name(columns.text());
+                visit(session, {name, std::string(columns.text())});
+              });
 }
 
 void Store::for_each_scenario(const VisitScenario& visit) const {

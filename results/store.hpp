@@ -29,21 +29,31 @@ struct StoreIdentity {
   friend bool operator==(const StoreIdentity&, const StoreIdentity&) = default;
 };
 
+/// Something that a session's times depend on: "processor", "compiler", ...
+struct MachineFact {
+  std::string name;
+  std::string value;
+
+  friend bool operator==(const MachineFact&, const MachineFact&) = default;
+};
+
 enum class Access { read, append };
 
 /// Every reading function throws InputError when the file turns out to be damaged; it names the file and,
-/// where known, the trial's key.
+/// where known, the trial's key; AlteredStore when a row was changed after it was recorded.
 class Store {
  public:
   using Visit = std::function<void(const TrialRow&)>;
+  using VisitFact = std::function<void(int session, const MachineFact&)>;
   using VisitScenario = std::function<void(const ScenarioRow&)>;
 
   /// An empty store, open for appending. Throws InputError when the file exists, EnvironmentError when it
   /// cannot be written.
   static Store create(const std::filesystem::path& file, const StoreIdentity& identity);
   /// Throws InputError when the file is missing, empty, not SQLite, damaged, not a pathrace store, of another
-  /// schema version, or (to append) when another writer has it open; EnvironmentError when it may not be read
-  /// or written.
+  /// schema version, or (to append) when another writer has it open; AlteredStore when rows are gone;
+  /// EnvironmentError when it may not be read or written. A store of schema version 5 can be read as it is,
+  /// and is migrated when it is opened to append.
   static Store open(const std::filesystem::path& file, Access access);
 
   Store(Store&&) noexcept;
@@ -62,14 +72,22 @@ class Store {
   /// not name is kept. Throws InputError and EnvironmentError as append does.
   void describe(const std::vector<ScenarioRow>& rows);
 
+  /// Stores what the rows to come run on, and returns the number to put into TrialRow::session.
+  int begin_session(const std::vector<MachineFact>& facts);
+
   /// Trials.
   std::uint64_t size() const;
   std::unordered_set<std::uint64_t> keys() const;
   std::vector<KeyedDigest> digests() const;
   /// Every row in order of insertion. The row that `visit` sees is overwritten by the next one.
   void for_each(const Visit& visit) const;
-  /// The same without path and trace: `answer` and `trace` stay empty. For tables over many rows.
+  /// The same, altered rows included.
+  void inspect(const Visit& visit) const;
+  /// As for_each, without path and trace: `answer` and `trace` stay empty. For tables over many rows.
   void for_each_slim(const Visit& visit) const;
+
+  /// What each session ran on, session by session.
+  void for_each_fact(const VisitFact& visit) const;
 
   /// Every described scenario with its features, in order of insertion.
   void for_each_scenario(const VisitScenario& visit) const;

@@ -87,6 +87,10 @@ const std::vector<Column>& columns() {
       {"least_steps", [](Row row) { return print(row.least_steps); }},
       {"step_ms_median", [](Row row) { return print(row.costs.step_ms_median); }},
       {"step_ms_p99", [](Row row) { return print(row.costs.step_ms_p99); }},
+      {"user_s", [](Row row) { return print(row.costs.user_s); }},
+      {"system_s", [](Row row) { return print(row.costs.system_s); }},
+      {"session", [](Row row) { return print(row.session); }},
+      {"draws", [](Row row) { return print(row.draws); }},
   };
   return all;
 }

@@ -9,6 +9,7 @@
 #include "bench/cli/options.hpp"
 #include "bench/run_folder.hpp"
 #include "core/error.hpp"
+#include "results/altered_store.hpp"
 
 namespace pathrace::bench::cli {
 namespace {
@@ -19,7 +20,7 @@ struct VerifyCommand {
   RunOptions options;
 };
 
-int verify_command(const VerifyCommand& command) {
+int compare_rows(const VerifyCommand& command) {
   require_backend(command.options);
   const results::Store store = open_store({command.folder});
   const TrialPlan plan = plan_of(store);
@@ -32,6 +33,15 @@ int verify_command(const VerifyCommand& command) {
              plan.trials.size(), result.rerun, result.skipped,
              result.differences.empty() ? "all equal" : fmt::format("{} differ", result.differences.size()));
   return result.differences.empty() ? done : something_found;
+}
+
+int verify_command(const VerifyCommand& command) {
+  try {
+    return compare_rows(command);
+  } catch (const results::AlteredStore& loss) {
+    fmt::print("{}\n", loss.what());
+    return something_found;
+  }
 }
 
 }  // namespace

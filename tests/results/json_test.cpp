@@ -29,10 +29,10 @@ std::vector<std::string> keys_of(const Json& object) {
 
 TEST(Json, HasTheAgreedKeysInTheirOrder) {
   TrialRow row = solved_row(1, "a", "trap-u/20/1");
-  std::vector<std::string> keys = {"scenario",    "planner",      "verdict", "track",  "rule",
-                                   "length",      "optimum",      "gap",     "turns",  "cells",
-                                   "evaluations", "iterations",   "checks",  "digest", "backend",
-                                   "threads",     "threads_used", "wall_s",  "note",   "counters"};
+  std::vector<std::string> keys = {"scenario", "planner",  "verdict", "track",   "rule",         "length",
+                                   "optimum",  "gap",      "turns",   "cells",   "evaluations",  "iterations",
+                                   "checks",   "digest",   "backend", "threads", "threads_used", "wall_s",
+                                   "user_s",   "system_s", "note",    "counters"};
   EXPECT_EQ(keys_of(Json::parse(to_json(row, some_scenario()))), keys);
   row.track = Track::any_angle;
   keys[9] = "points";

@@ -52,7 +52,7 @@ struct Trial {
     record.work = {50, 5, 800};
     record.trace = {{{10, 1, 100}, 0.25, 3}};
     record.timed = true;
-    record.costs = {0.5, 0.125, "tbb", 2, 1, true, {}, {}};
+    record.costs = {0.5, 0.125, "tbb", 2, 1, true, {}, {}, {}, {}};
   }
   TrialRow row() const { return make_row(key, scenario, entrant, budget, record); }
 };

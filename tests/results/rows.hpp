@@ -59,7 +59,7 @@ inline TrialRow solved_row(std::uint64_t key, const std::string& planner, const 
   row.clearance_min = 1;
   row.clearance_mean = 1;
   row.work = {1, 1, 3};
-  row.costs = {0.001, 0.0005, "serial", 1, 1, false, {}, {}};
+  row.costs = {0.001, 0.0005, "serial", 1, 1, false, {}, {}, {}, {}};
   row.answer = lattice_path({{0, 0}, {1, 0}, {2, 0}});
   row.trace = {{{1, 0, 3}, 0.0007, 2}};
   row.digest = recomputed_digest(row);
@@ -110,7 +110,9 @@ inline std::vector<TrialRow> strange_rows() {
   numbers.seed = std::numeric_limits<std::uint64_t>::max();
   numbers.repetition = std::uint64_t{1} << 63;
   numbers.work = {std::numeric_limits<std::uint64_t>::max(), (std::uint64_t{1} << 63) - 1, 0};
-  numbers.costs = {Limits::min(), 1e-300, "openmp", 64, 7, true, {}, {}};
+  numbers.costs = {Limits::min(), 1e-300, "openmp", 64, 7, true, {}, {}, 0.1 + 0.7, Limits::denorm_min()};
+  numbers.session = std::numeric_limits<int>::max();
+  numbers.draws = true;
   numbers.answer = Path{Track::any_angle,
                         {{-0.0, 0.1},
                          {1e-320, 1e300},
@@ -133,6 +135,7 @@ inline std::vector<TrialRow> strange_rows() {
   texts.version = 7;
   texts.optimum = std::nullopt;
   texts.answer = Path{};
+  texts.draws = false;
   rows.push_back(texts);
 
   TrialRow run = run_row(0x4000000000000000U, "straight", "discs/open/1");
@@ -189,6 +192,10 @@ inline void expect_same_slim(const TrialRow& a, const TrialRow& b) {
   EXPECT_EQ(a.least_steps, b.least_steps);
   EXPECT_EQ(bits(a.costs.step_ms_median), bits(b.costs.step_ms_median));
   EXPECT_EQ(bits(a.costs.step_ms_p99), bits(b.costs.step_ms_p99));
+  EXPECT_EQ(bits(a.costs.user_s), bits(b.costs.user_s));
+  EXPECT_EQ(bits(a.costs.system_s), bits(b.costs.system_s));
+  EXPECT_EQ(a.session, b.session);
+  EXPECT_EQ(a.draws, b.draws);
 }
 
 inline void expect_same(const TrialRow& a, const TrialRow& b) {

@@ -125,7 +125,7 @@ TEST(StoreOpen, RefusesAnotherSchemaVersionAndNamesBoth) {
   const TemporaryFolder folder;
   const fs::path file = stored(folder);
   run_sql(file, "PRAGMA user_version = 7");
-  expect_refused(file, {"schema version 7", "expects version 5"});
+  expect_refused(file, {"schema version 7", "expects version 6"});
 }
 
 TEST(StoreOpen, RefusesATruncatedFile) {

@@ -50,9 +50,10 @@ TEST(TrialsCsv, HasALinePerTrialAndNothingForNothing) {
   EXPECT_EQ(
       text.substr(text.find('\n') + 1),
       "00000000000000ff,trap-u/20/1,\"as:a=1,b=2\",0,0,solved,lattice,2,2,0.5,0,1,1,3,0000000000000001,0.001,"
-      "strict,\"as:a=1,b=2:a=1,b=2\",1,evaluations=100,,0,1,1,0,0.0005,serial,1,1,0,,,,,,,,,,\n"
+      "strict,\"as:a=1,b=2:a=1,b=2\",1,evaluations=100,,0,1,1,0,0.0005,serial,1,1,0,,,,,,,,,,,,,0,\n"
       "0000000000000100,trap-u/20/1,as,0,0,budget,lattice,,2,,,1,1,3,0000000000000002,0.001,"
-      "strict,\"as:a=1,b=2\",1,evaluations=100,\"said \"\"no\"\"\",,,,0,0.0005,serial,1,1,0,,,,,,,,,,\n");
+      "strict,\"as:a=1,b=2\",1,evaluations=100,\"said "
+      "\"\"no\"\"\",,,,0,0.0005,serial,1,1,0,,,,,,,,,,,,,0,\n");
 }
 
 TEST(TrialsView, ShowsWhatTheTablesHold) {
