@@ -12,7 +12,7 @@ struct Builtin {
 };
 
 constexpr Builtin builtins[] = {
-#include "builtin_campaigns.inc"
+#include "bench/builtin_campaigns.inc"
 };
 
 }  // namespace
