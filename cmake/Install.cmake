@@ -6,6 +6,8 @@ foreach(room core scenarios algorithms baselines results bench)
   install(TARGETS pathrace_${room} EXPORT pathraceTargets
           FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pathrace)
 endforeach()
+install(TARGETS pathrace_api EXPORT pathraceTargets
+        FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})  # pathrace/pathrace.hpp
 install(TARGETS pathrace)
 install(EXPORT pathraceTargets NAMESPACE pathrace:: DESTINATION ${package_folder})
 configure_package_config_file(cmake/pathraceConfig.cmake.in pathraceConfig.cmake

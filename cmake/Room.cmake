@@ -23,8 +23,9 @@ function(pathrace_room room)
   set(folder ${PROJECT_SOURCE_DIR}/${room})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.cpp)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${folder}/*.hpp)
-  list(FILTER sources EXCLUDE REGEX "/bench/(main\\.cpp$|cli/|micro/)")
+  list(FILTER sources EXCLUDE REGEX "/bench/(main\\.cpp$|api/|cli/|micro/)")
   list(FILTER headers EXCLUDE REGEX "/(bench/cli|baselines/ompl)/")  # they need libraries that are private
+  list(FILTER headers EXCLUDE REGEX "/bench/api/")  # of a library of its own
   if(NOT ompl_FOUND)
     list(FILTER sources EXCLUDE REGEX "/baselines/ompl/")
   endif()

@@ -8,8 +8,29 @@
 #include "tests/support/oracle.hpp"
 #include "tests/support/trials.hpp"
 
+namespace pathrace::algorithms {
+
+PlannerCard wander_card();  // the planner that README.md shows
+
+}  // namespace pathrace::algorithms
+
 namespace pathrace::testing {
 namespace {
+
+const Catalogue& planners() {
+  static const Catalogue all = [] {
+    std::vector<PlannerCard> cards = bench::roster().cards();
+    cards.push_back(algorithms::wander_card());
+    return Catalogue(std::move(cards));
+  }();
+  return all;
+}
+
+TrialRecord race(const TrialSetting& setting, const Scenario& scenario) {
+  return bench::run_trial(planners().enter(parse_call(setting.call)), scenario, Referee(scenario.terrain),
+                          setting.budget, root_stream(setting.seed, scenario.id, 0),
+                          *bench::make_executor(setting.backend, setting.threads));
+}
 
 Budget evaluations(std::uint64_t count) {
   Budget budget;
@@ -27,7 +48,7 @@ Budget small_budget() {
 class PlannerContract : public ::testing::TestWithParam<std::string> {
  protected:
   TrialRecord trial(const Scenario& scenario, const Budget& budget = small_budget()) const {
-    return run({GetParam(), budget}, scenario);
+    return race({GetParam(), budget}, scenario);
   }
 };
 
@@ -112,10 +133,10 @@ TEST_P(PlannerContract, TheSameSeedGivesTheSameRecordOnEveryExecutorAndNumberOfT
     Budget tight = small_budget();
     tight.checks = 900;  // cuts ants in the middle of a batch
     for (const Budget& budget : {small_budget(), tight}) {
-      const std::uint64_t expected = digest(run({GetParam(), budget}, scenario));
+      const std::uint64_t expected = digest(race({GetParam(), budget}, scenario));
       for (const std::string& backend : executors_under_test()) {
         for (const int threads : {1, 2, 4}) {
-          EXPECT_EQ(digest(run({GetParam(), budget, backend, threads}, scenario)), expected)
+          EXPECT_EQ(digest(race({GetParam(), budget, backend, threads}, scenario)), expected)
               << backend << " with " << threads << " threads";
         }
       }
@@ -126,7 +147,7 @@ TEST_P(PlannerContract, TheSameSeedGivesTheSameRecordOnEveryExecutorAndNumberOfT
 TEST_P(PlannerContract, APreparedPlannerKeepsNothingThatChangesALaterAnswer) {
   const Question question = random_question(Stream(29), 14, 0.2);
   const Scenario scenario = scenario_of(question);
-  const Entrant entrant = bench::roster().enter(parse_call(GetParam()));
+  const Entrant entrant = planners().enter(parse_call(GetParam()));
   const std::unique_ptr<Executor> executor = bench::make_executor("serial", 1);
   const auto answer = [&](MapPlanner& planner, Cell start, Cell goal) {
     Meter meter(small_budget());
@@ -147,6 +168,7 @@ std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, PlannerContract, ::testing::ValuesIn(calls_under_test()), test_name);
+INSTANTIATE_TEST_SUITE_P(OfTheReadme, PlannerContract, ::testing::Values("wander"), test_name);
 
 TEST(Roster, EveryCardIsComplete) {
   for (const PlannerCard& card : bench::roster().cards()) {

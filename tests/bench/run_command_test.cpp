@@ -56,6 +56,20 @@ TEST(Run, ResumingAMissingFolderStartsIt) {
   EXPECT_NE(pathrace({"digest", scratch / "new", "--json"}).out.find("\"recorded\":464"), std::string::npos);
 }
 
+#ifndef PATHRACE_OMPL
+TEST(Run, WithoutOmplTheStarterLeavesItsPlannersOutAndAFileThatNamesThemIsRefused) {
+  const Finished starter = pathrace({"run", "--dry-run"});
+  EXPECT_EQ(starter.exit_code, 0);
+  EXPECT_NE(starter.err.find("left out: ompl-rrt-connect, ompl-rrt-star, ompl-bit-star; each needs OMPL: "
+                             "apt-get install libompl-dev"),
+            std::string::npos)
+      << starter.err;
+  const std::vector<std::string> words{"'ompl-", "needs OMPL: apt-get install libompl-dev, then"};
+  expect_refusal(pathrace({"run", std::string(PATHRACE_SOURCE_DIR) + "/campaigns/leaderboard.toml"}), words);
+  expect_refusal(pathrace({"plan", "--scenario", "asr/fig2", "--planner", "ompl-rrt"}), words);
+}
+#endif
+
 TEST(Run, ADryRunRunsNothing) {
   const ScratchFolder scratch;
   const Finished dry =
