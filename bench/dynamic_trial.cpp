@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "bench/guarded.hpp"
+#include "core/checkpoint.hpp"
 #include "core/error.hpp"
 #include "core/hash.hpp"
 #include "core/run_referee.hpp"
@@ -141,7 +142,11 @@ TrialRecord run_dynamic_trial(const Entrant& entrant, const World& world, const 
   executor.restart_census();
   Run run(world, stream, executor, meter, watch);
   bool came_back = false;
-  executor.with_team([&] { came_back = call_navigator(entrant, run, record); });
+  executor.with_team([&] {
+    const TrialScope scope(meter);
+    came_back = call_navigator(entrant, run, record);
+  });
+  if (meter.interrupted()) throw Interrupted();
   record.work = meter.work();
   record.trace = meter.trace();
   record.counters = meter.counters();

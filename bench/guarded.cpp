@@ -2,6 +2,7 @@
 
 #include <new>
 
+#include "core/checkpoint.hpp"
 #include "core/error.hpp"
 
 namespace pathrace::bench {
@@ -18,6 +19,10 @@ void fail(TrialRecord& record, Verdict verdict, std::string_view why) {
 void guarded(TrialRecord& record, const std::function<void()>& body) {
   try {
     body();
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const OutOfTime&) {
+    fail(record, Verdict::budget, "");
   } catch (const std::bad_alloc&) {
     fail(record, Verdict::out_of_memory, "the planner ran out of memory");
   } catch (const Unsupported& reason) {

@@ -7,7 +7,8 @@
 
 namespace pathrace::bench {
 
-/// Calls `body`, which plans. When it throws, verdict and note say why, and the record has no answer.
+/// Calls `body`, which plans. When it throws, verdict and note say why, and the record has no answer;
+/// Interrupted passes through.
 void guarded(TrialRecord& record, const std::function<void()>& body);
 
 }  // namespace pathrace::bench

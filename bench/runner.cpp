@@ -8,6 +8,7 @@
 #include "bench/executors.hpp"
 #include "bench/reference.hpp"
 #include "bench/trial.hpp"
+#include "core/checkpoint.hpp"
 #include "core/referee.hpp"
 
 namespace pathrace::bench {
@@ -26,9 +27,10 @@ class ScenarioDesk {
   std::pair<const Scenario*, const Referee*> open(const Scenario& scenario) {
     const std::lock_guard lock(mutex_);
     if (!referee_) {
+      auto referee = std::make_unique<Referee>(scenario.terrain);
       scenario_ = scenario;
-      referee_ = std::make_unique<Referee>(scenario_.terrain);
-      for (const Track track : tracks_) prove_reference(scenario_, track, *referee_);
+      for (const Track track : tracks_) prove_reference(scenario_, track, *referee);
+      referee_ = std::move(referee);  // all is proven: an interrupted proof leaves nothing half done
     }
     return {&scenario_, referee_.get()};
   }
@@ -89,9 +91,7 @@ void run_trials(const TrialPlan& plan, const std::vector<std::size_t>& trials, c
   ExecutorShelf shelf(options.backend, options.threads);
   const std::unique_ptr<Executor> across = make_executor(options.backend, options.jobs);
   const bool crowded = across->threads() > 1 && trials.size() > 1;
-  for_each_index(*across, trials.size(), 1, [&](std::size_t i) {
-    if (stop.load(std::memory_order_relaxed)) return;
-    const Trial& trial = plan.trials[trials[i]];
+  const auto run_one = [&](const Trial& trial) {
     ScenarioDesk& desk = desks[trial.scenario];
     const auto [scenario, referee] = desk.open(plan.scenarios[trial.scenario]);
     std::unique_ptr<Executor> executor = shelf.take();
@@ -105,6 +105,13 @@ void run_trials(const TrialPlan& plan, const std::vector<std::size_t>& trials, c
     shelf.give_back(std::move(executor));
     sink(trial, *scenario, std::move(record));
     desk.close_one();
+  };
+  for_each_index(*across, trials.size(), 1, [&](std::size_t i) {
+    if (stop.load(std::memory_order_relaxed)) return;
+    try {
+      run_one(plan.trials[trials[i]]);
+    } catch (const Interrupted&) {  // not recorded; a resumed run runs it again
+    }
   });
 }
 

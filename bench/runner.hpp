@@ -22,7 +22,8 @@ struct RunOptions {
 /// count from.
 using Sink = std::function<void(const Trial&, const Scenario& scenario, TrialRecord)>;
 
-/// Runs the trials with these indices. Stops dealing new ones when `stop` becomes true. Everything in a
+/// Runs the trials with these indices. Stops dealing new ones when `stop` becomes true; those that
+/// `stop_requested` (core/checkpoint.hpp) cut short are not handed over. Everything in a
 /// record but its costs depends on the trial's key alone.
 void run_trials(const TrialPlan& plan, const std::vector<std::size_t>& trials, const RunOptions& options,
                 const std::atomic<bool>& stop, const Sink& sink);

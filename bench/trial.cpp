@@ -6,6 +6,7 @@
 
 #include "bench/dynamic_trial.hpp"
 #include "bench/guarded.hpp"
+#include "core/checkpoint.hpp"
 #include "core/error.hpp"
 #include "core/gap.hpp"
 
@@ -21,6 +22,7 @@ double seconds_since(Clock::time_point begin) {
 void call_planner(const Entrant& entrant, const Scenario& scenario, Context& context, TrialRecord& record) {
   const Clock::time_point begin = Clock::now();
   guarded(record, [&] {
+    const TrialScope scope(context.meter);
     if (entrant.card->navigates()) throw Unsupported("navigates among moving discs; this map stands still");
     const std::unique_ptr<MapPlanner> planner = entrant.card->make(entrant.values)(scenario.terrain);
     record.costs.setup_s = seconds_since(begin);
@@ -69,6 +71,7 @@ TrialRecord run_trial(const Entrant& entrant, const Scenario& scenario, const Re
   Context context{stream, executor, meter, overlay};
   executor.restart_census();
   executor.with_team([&] { call_planner(entrant, scenario, context, record); });
+  if (meter.interrupted()) throw Interrupted();
   record.work = meter.work();
   record.trace = meter.trace();
   record.counters = meter.counters();

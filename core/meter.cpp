@@ -2,13 +2,15 @@
 
 #include <algorithm>
 
+#include "core/checkpoint.hpp"
+
 namespace pathrace {
 
 Meter::Meter(const Budget& budget) : budget_(budget), begin_(std::chrono::steady_clock::now()) {}
 
 bool Meter::spent() const {
-  return evaluations_left() == 0 || checks_left() == 0 || left(budget_.iterations, work_.iterations) == 0 ||
-         timed();
+  return evaluations_left() == 0 || checks_left() == 0 ||
+         left(budget_.iterations, iterations_.value()) == 0 || timed();
 }
 
 bool Meter::exhausted() const {
@@ -16,6 +18,10 @@ bool Meter::exhausted() const {
 }
 
 bool Meter::out_of_time() const {
+  if (stop_requested.load(std::memory_order_relaxed)) {
+    interrupted_.store(true, std::memory_order_relaxed);
+    return true;
+  }
   if (!budget_.wall_s) return false;
   if (timed()) return true;
   if (elapsed_s() < *budget_.wall_s) return false;
@@ -27,8 +33,9 @@ bool Meter::exceeded() const {
   const auto above = [](const std::optional<std::uint64_t>& limit, std::uint64_t count) {
     return limit && count > *limit;
   };
-  return above(budget_.evaluations, work_.evaluations) || above(budget_.iterations, work_.iterations) ||
-         above(budget_.checks, work_.checks);
+  const Work spent = work();
+  return above(budget_.evaluations, spent.evaluations) || above(budget_.iterations, spent.iterations) ||
+         above(budget_.checks, spent.checks);
 }
 
 std::size_t Meter::admitted(std::size_t wanted) const {
@@ -36,8 +43,9 @@ std::size_t Meter::admitted(std::size_t wanted) const {
 }
 
 void Meter::improved(double cost) {
-  const double best = trace_.empty() ? std::numeric_limits<double>::infinity() : trace_.back().cost;
-  if (cost < best) trace_.push_back({work_, elapsed_s(), cost});
+  if (!(cost < best_cost())) return;
+  trace_.push_back({work(), elapsed_s(), cost});
+  best_cost_.store(cost, std::memory_order_relaxed);
 }
 
 void Meter::count(std::string_view name, std::uint64_t amount) {

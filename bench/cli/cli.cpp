@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bench/cli/command.hpp"
+#include "core/checkpoint.hpp"
 #include "core/error.hpp"
 #include "core/names.hpp"
 
@@ -82,6 +83,8 @@ int run(int argc, const char* const* argv) {
   } catch (const ExitCode& finished) {
     if (std::fflush(stdout) != 0) return complain("the output cannot be written", environment_failed);
     return finished.code;
+  } catch (const Interrupted&) {
+    return complain("interrupted", interrupted);
   } catch (const InputError& error) {
     return complain(error.what(), bad_input);
   } catch (const EnvironmentError& error) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <csignal>
 #include <iostream>
 #include <memory>
 #include <numeric>
@@ -16,6 +15,8 @@
 #include "bench/recorder.hpp"
 #include "bench/roster.hpp"
 #include "bench/run_folder.hpp"
+#include "bench/stop.hpp"
+#include "core/checkpoint.hpp"
 #include "core/error.hpp"
 #include "results/leaderboard.hpp"
 
@@ -34,12 +35,6 @@ struct RunCommand {
   bool no_features = false;
   RunOptions options;
 };
-
-std::atomic<bool> stop_requested{false};
-
-void request_stop(int) {
-  stop_requested.store(true);
-}
 
 void say(const std::string& line) {
   fmt::print(stderr, "{}\n", line);
@@ -167,6 +162,18 @@ void race(const TrialPlan& plan, const std::vector<std::size_t>& missing, const 
   progress.close();
 }
 
+void describe_and_race(const RunCommand& command, const TrialPlan& plan,
+                       const std::vector<std::size_t>& missing, results::Store& store) {
+  store_scenarios(plan, !command.no_features, command.options, stop_requested, store);
+  if (missing.empty()) {
+    say(fmt::format("{}: all {} trials are recorded already", plan.campaign.name, plan.trials.size()));
+    return;
+  }
+  const Estimate estimate = estimate_time(plan, missing, command.options);
+  say(announcement(plan, missing, estimate, command.options));
+  race(plan, missing, estimate, command.options, store);
+}
+
 int run_command(const RunCommand& command) {
   require_backend(command.options);
   RunFolder folder{command.out};
@@ -182,15 +189,10 @@ int run_command(const RunCommand& command) {
   make_folder(folder);
   results::Store store = open_or_create(command, folder, plan);
   const std::vector<std::size_t> missing = missing_trials(plan, &store);
-  std::signal(SIGINT, request_stop);
-  std::signal(SIGTERM, request_stop);
-  store_scenarios(plan, !command.no_features, command.options, stop_requested, store);
-  if (!missing.empty()) {
-    const Estimate estimate = estimate_time(plan, missing, command.options);
-    say(announcement(plan, missing, estimate, command.options));
-    race(plan, missing, estimate, command.options, store);
-  } else {
-    say(fmt::format("{}: all {} trials are recorded already", plan.campaign.name, plan.trials.size()));
+  stop_on_signals();
+  try {
+    describe_and_race(command, plan, missing, store);
+  } catch (const Interrupted&) {  // told below; what is recorded is kept
   }
   write_tables(folder, store);
   if (stop_requested.load()) {
