@@ -3,24 +3,32 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/checkpoint.hpp"
+
 namespace pathrace {
 namespace {
 
-constexpr std::int64_t far_column = std::int64_t{1} << 20;  // its square is `far`
+constexpr std::int32_t far_column = std::int32_t{1} << 20;  // its square is `far`
 
 // Distance along the column to the nearest blocked cell, for every cell of the padded width.
-std::vector<std::int64_t> column_distances(const OccupancyGrid& grid, Border border) {
+std::vector<std::int32_t> column_distances(const OccupancyGrid& grid, Border border) {
   const std::size_t stride = grid.stride();
-  const std::int64_t outside = border == Border::blocked ? 0 : far_column;
-  std::vector<std::int64_t> distance(grid.padded_size(), outside);
+  const std::int32_t outside = border == Border::blocked ? 0 : far_column;
+  std::vector<std::int32_t> distance;
+  assign_gradually(distance, grid.padded_size(), outside);
   for (int y = 0; y < grid.height(); ++y) {
+    checkpoint();
     const std::size_t first = grid.index({0, y});
     for (std::size_t i = first; i < first + stride - 2; ++i) {
       distance[i] = grid.blocked_at(i) ? 0 : distance[i - stride] + 1;
     }
   }
-  for (std::size_t i = distance.size() - stride; i-- > 0;) {
-    distance[i] = std::min(distance[i], distance[i + stride] + 1);
+  for (int y = grid.height() - 1; y >= -1; --y) {
+    checkpoint();
+    const std::size_t first = grid.index({-1, y});
+    for (std::size_t i = first; i < first + stride; ++i) {
+      distance[i] = std::min(distance[i], distance[i + stride] + 1);
+    }
   }
   return distance;
 }
@@ -30,10 +38,9 @@ class RowEnvelope {
  public:
   explicit RowEnvelope(std::size_t width) : apex_(width), from_(width) {}
 
-  void transform(const std::int64_t* column, std::int64_t width, std::int64_t* squared) {
-    const auto value = [&](std::int64_t x, std::int64_t u) {
-      return (x - u) * (x - u) + column[u] * column[u];
-    };
+  void transform(const std::int32_t* column, std::int64_t width, std::int64_t* squared) {
+    const auto square = [column](std::int64_t u) { return std::int64_t{column[u]} * column[u]; };
+    const auto value = [&](std::int64_t x, std::int64_t u) { return (x - u) * (x - u) + square(u); };
     std::int64_t top = 0;
     apex(0) = 0;
     from(0) = 0;
@@ -45,7 +52,7 @@ class RowEnvelope {
         continue;
       }
       const std::int64_t v = apex(top);
-      const std::int64_t numerator = u * u - v * v + column[u] * column[u] - column[v] * column[v];
+      const std::int64_t numerator = u * u - v * v + square(u) - square(v);
       const std::int64_t takes_over = 1 + floor_divide(numerator, 2 * (u - v));
       if (takes_over < width) {
         ++top;
@@ -74,14 +81,19 @@ class RowEnvelope {
 
 DistanceTransform::DistanceTransform(const OccupancyGrid& grid, Border border)
     : width_(static_cast<std::size_t>(grid.width())),
-      squared_(width_ * static_cast<std::size_t>(grid.height())) {
-  const std::vector<std::int64_t> column = column_distances(grid, border);
+      squared_(filled_gradually<std::vector<std::uint32_t>>(width_ * static_cast<std::size_t>(grid.height()),
+                                                            beyond)) {
+  const std::vector<std::int32_t> column = column_distances(grid, border);
   const std::size_t stride = grid.stride();
   std::vector<std::int64_t> row(stride);
   RowEnvelope envelope(stride);
   for (std::size_t y = 0; y < static_cast<std::size_t>(grid.height()); ++y) {
+    checkpoint();
     envelope.transform(column.data() + (y + 1) * stride, static_cast<std::int64_t>(stride), row.data());
-    std::copy_n(row.begin() + 1, width_, squared_.begin() + static_cast<std::ptrdiff_t>(y * width_));
+    std::transform(row.begin() + 1, row.end() - 1, squared_.begin() + static_cast<std::ptrdiff_t>(y * width_),
+                   [](std::int64_t squared) {
+                     return static_cast<std::uint32_t>(std::min<std::int64_t>(squared, beyond));
+                   });
   }
 }
 

@@ -23,10 +23,12 @@ class DistanceTransform {
   /// More than any squared distance on a map; what every cell has on a map of free cells with an open border.
   static constexpr std::int64_t far = std::int64_t{1} << 40;
 
-  /// Squared distance, in cells, from a cell's centre to the nearest blocked cell's centre; `far` or more
+  /// Squared distance, in cells, from a cell's centre to the nearest blocked cell's centre; `far`
   /// when there is none. 0 for a blocked cell.
   std::int64_t squared(Cell cell) const {
-    return squared_[static_cast<std::size_t>(cell.y) * width_ + static_cast<std::size_t>(cell.x)];
+    const std::uint32_t stored =
+        squared_[static_cast<std::size_t>(cell.y) * width_ + static_cast<std::size_t>(cell.x)];
+    return stored == beyond ? far : std::int64_t{stored};
   }
   double distance(Cell cell) const;
 
@@ -34,8 +36,10 @@ class DistanceTransform {
   int height() const { return static_cast<int>(squared_.size() / width_); }
 
  private:
+  static constexpr std::uint32_t beyond = 0xFFFFFFFF;  // stands for `far`
+
   std::size_t width_;
-  std::vector<std::int64_t> squared_;
+  std::vector<std::uint32_t> squared_;  // below 2^30 on a map of 16,384 cells a side
 };
 
 }  // namespace pathrace

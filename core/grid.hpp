@@ -16,7 +16,7 @@ namespace pathrace {
 class OccupancyGrid {
  public:
   static constexpr int max_side = 16384;
-  static constexpr std::int64_t max_cells = std::int64_t{1} << 24;
+  static constexpr std::int64_t max_cells = std::int64_t{1} << 27;
 
   /// A grid of free cells. Throws InvalidScenario outside 1..max_side per side or above max_cells.
   OccupancyGrid(int width, int height);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 namespace pathrace {
 namespace {
@@ -106,13 +108,25 @@ bool slides_right(const OccupancyGrid& grid, Point p, Point q, Cell cell) {
          std::max(p.y, q.y) > cell.y - 0.5 && !grid.is_free({cell.x + 1, cell.y});
 }
 
+// The first and the last column that the segment comes near on its way from row y - 2 to y + 2.
+std::pair<int, int> columns_near(Point p, Point q, int y) {
+  double low = std::min(p.x, q.x);
+  double high = std::max(p.x, q.x);
+  if (p.y != q.y) {
+    const auto x_at = [&](double row) {
+      return p.x + std::clamp((row - p.y) / (q.y - p.y), 0.0, 1.0) * (q.x - p.x);
+    };
+    std::tie(low, high) = std::minmax({x_at(y - 2), x_at(y + 2)});
+  }
+  return {static_cast<int>(std::floor(low)) - 2, static_cast<int>(std::ceil(high)) + 2};
+}
+
 std::string segment_fault(const OccupancyGrid& grid, Point p, Point q) {
-  const int left = static_cast<int>(std::floor(std::min(p.x, q.x)));
-  const int right = static_cast<int>(std::ceil(std::max(p.x, q.x)));
   const int top = static_cast<int>(std::floor(std::min(p.y, q.y)));
   const int bottom = static_cast<int>(std::ceil(std::max(p.y, q.y)));
   for (int y = top - 1; y <= bottom + 1; ++y) {
-    for (int x = left - 1; x <= right + 1; ++x) {
+    const auto [first, last] = columns_near(p, q, y);
+    for (int x = first; x <= last; ++x) {
       const Cell cell{x, y};
       if (grid.contains(cell) && !grid.is_free(cell) && enters(p, q, cell)) {
         return fmt::format("{} to {} enters the blocked cell {},{}", text(p), text(q), x, y);

@@ -1,9 +1,11 @@
 #include "algorithms/aco/nest.hpp"
 
+#include "algorithms/affordable_map.hpp"
+
 namespace pathrace::algorithms {
 
 Nest::Nest(const Problem& problem)
-    : moves_(problem.grid, problem.rule),
+    : moves_(affordable(problem.grid), problem.rule),
       stride_(problem.grid.stride()),
       free_cells_(static_cast<std::size_t>(problem.grid.free_cells())),
       start_(problem.grid.index(problem.start)),

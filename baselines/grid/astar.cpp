@@ -14,8 +14,8 @@ PlannerCard astar_card() {
   card.version = 2;
   card.source = "P. Hart, N. Nilsson, B. Raphael, IEEE Trans. SSC 4(2), 1968";
   return without_parameters(std::move(card), [](const Terrain& terrain) -> std::unique_ptr<MapPlanner> {
-    if (terrain.rule == MoveRule::four) return std::make_unique<GridSearch<ManhattanDistance>>(terrain);
-    return std::make_unique<GridSearch<OctileDistance>>(terrain);
+    if (terrain.rule == MoveRule::four) return grid_search<ManhattanDistance>(terrain);
+    return grid_search<OctileDistance>(terrain);
   });
 }
 

@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <optional>
 
+#include "core/checkpoint.hpp"
 #include "core/lattice_length.hpp"
 
 namespace pathrace::baselines {
@@ -96,12 +97,17 @@ const CanonicalMoves& CanonicalMoves::of(MoveRule rule) {
 }
 
 std::vector<std::uint8_t> free_neighbours(const OccupancyGrid& grid) {
-  std::vector<std::uint8_t> is_free(grid.padded_size());
-  for (std::size_t i = 0; i < is_free.size(); ++i) is_free[i] = grid.blocked_at(i) ? 0 : 1;
-  std::vector<std::uint8_t> neighbours(grid.padded_size(), 0);
+  using Bytes = std::vector<std::uint8_t>;
   const std::size_t stride = grid.stride();
+  Bytes is_free = filled_gradually<Bytes>(grid.padded_size(), 0);
+  for (std::size_t first = 0; first < is_free.size(); first += stride) {
+    checkpoint();
+    for (std::size_t i = first; i < first + stride; ++i) is_free[i] = grid.blocked_at(i) ? 0 : 1;
+  }
+  Bytes neighbours = filled_gradually<Bytes>(grid.padded_size(), 0);
   const std::ptrdiff_t width = grid.width();
   for (int y = 0; y < grid.height(); ++y) {
+    checkpoint();
     const std::size_t row = grid.index({0, y});
     const std::uint8_t* const above = is_free.data() + (row - stride);
     const std::uint8_t* const here = is_free.data() + row;

@@ -13,9 +13,7 @@ PlannerCard dijkstra_card() {
   card.summary = "Dijkstra's algorithm on the grid: an optimal path without a heuristic";
   card.version = 2;
   card.source = "E. W. Dijkstra, Numerische Mathematik 1, 1959";
-  return without_parameters(std::move(card), [](const Terrain& terrain) -> std::unique_ptr<MapPlanner> {
-    return std::make_unique<GridSearch<ZeroDistance>>(terrain);
-  });
+  return without_parameters(std::move(card), grid_search<ZeroDistance>);
 }
 
 }  // namespace pathrace::baselines

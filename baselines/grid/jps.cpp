@@ -15,7 +15,8 @@ PlannerCard jps_card() {
       "D. Harabor, A. Grastien, AAAI 2011 and ICAPS 2014 (block-based scanning, pruning of intermediate "
       "points)";
   return without_parameters(std::move(card), [](const Terrain& terrain) -> std::unique_ptr<MapPlanner> {
-    return std::make_unique<JumpPointSearch>(terrain);
+    if (fits_small_ring(*terrain.grid)) return std::make_unique<JumpPointSearch<>>(terrain);
+    return std::make_unique<JumpPointSearch<LargeRing>>(terrain);
   });
 }
 

@@ -59,8 +59,10 @@ JumpMap::JumpMap(const OccupancyGrid& grid, const CanonicalMoves& moves,
   const auto height = static_cast<std::size_t>(grid.height());
   const std::size_t length = height + 1;  // of a column with the wall below it
   std::vector<std::uint8_t> row(static_cast<std::size_t>(grid.width()) + 8, wall_code);
-  std::vector<std::uint8_t> columns(length * static_cast<std::size_t>(grid.width()) + 8, wall_code);
+  auto columns = filled_gradually<std::vector<std::uint8_t>>(
+      length * static_cast<std::size_t>(grid.width()) + 8, wall_code);
   for (std::size_t y = 0; y < height; ++y) {
+    checkpoint();
     const std::size_t first = grid.index({0, static_cast<int>(y)});
     for (std::size_t x = 0; x < static_cast<std::size_t>(grid.width()); ++x) {
       const bool blocked = grid.blocked_at(first + x);
@@ -70,6 +72,7 @@ JumpMap::JumpMap(const OccupancyGrid& grid, const CanonicalMoves& moves,
     rows_.read(static_cast<int>(y), row.data());
   }
   for (int x = 0; x < grid.width(); ++x) {
+    checkpoint();
     columns_.read(x, columns.data() + static_cast<std::size_t>(x) * length);
   }
 }

@@ -18,6 +18,7 @@
 
 #include "baselines/grid/canonical_moves.hpp"
 #include "core/cell.hpp"
+#include "core/checkpoint.hpp"
 #include "core/grid.hpp"
 
 namespace pathrace::baselines {
@@ -38,8 +39,9 @@ class JumpLines {
   /// Lines of so many cells, to be read in.
   JumpLines(int lines, int length)
       : pitch_(margin + static_cast<std::size_t>(length + 7) / 8 + margin),
-        bytes_(static_cast<std::size_t>(lines) * 3 * pitch_, 0) {
+        bytes_(filled_gradually<std::vector<std::uint8_t>>(static_cast<std::size_t>(lines) * 3 * pitch_, 0)) {
     for (std::size_t line = 0; line < static_cast<std::size_t>(lines); ++line) {
+      checkpoint();
       std::memset(bytes_.data() + 3 * line * pitch_, 0xFF, pitch_);  // the wall layer, margins included
     }
   }

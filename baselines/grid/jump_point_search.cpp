@@ -4,8 +4,13 @@
 #include <bit>
 #include <cstdlib>
 
+#include "core/checkpoint.hpp"
+
 namespace pathrace::baselines {
 namespace {
+
+// A jump point in a wide hall may take a millisecond.
+constexpr std::uint64_t jump_point_clock_interval = 128;
 
 constexpr RingCost unbounded = std::numeric_limits<RingCost>::max();
 
@@ -17,8 +22,9 @@ Cell unpack(std::uint32_t entry) {
 }
 
 // A jump is at most one march and one run; f rises by no more than twice its cost.
+template <typename Ring>
 RingCost greatest_rise(const OccupancyGrid& grid) {
-  return 2 * diagonal_cost * static_cast<RingCost>(grid.width() + grid.height());
+  return 2 * Ring::diagonal * static_cast<RingCost>(grid.width() + grid.height());
 }
 
 // The two directions of the runs that begin on a march.
@@ -39,38 +45,43 @@ constexpr int sign(int value) {
 
 }  // namespace
 
-JumpPointSearch::JumpPointSearch(const Terrain& terrain)
+template <typename Ring>
+JumpPointSearch<Ring>::JumpPointSearch(const Terrain& terrain)
     : grid_(*terrain.grid),
       rule_(terrain.rule),
       moves_(CanonicalMoves::of(terrain.rule)),
       neighbours_(free_neighbours(grid_)),
       jumps_(grid_, moves_, neighbours_),
       nodes_(grid_.padded_size()),
-      parents_(grid_.padded_size()),
-      open_(greatest_rise(grid_)),
+      parents_(filled_gradually<std::vector<std::uint32_t>>(grid_.padded_size(), 0)),
+      open_(greatest_rise<Ring>(grid_)),
       stride_(static_cast<std::ptrdiff_t>(grid_.stride())) {}
 
-Answer JumpPointSearch::plan(Cell start, Cell goal, Context& context) {
+template <typename Ring>
+Answer JumpPointSearch<Ring>::plan(Cell start, Cell goal, Context& context) {
   if (context.meter.exhausted()) return std::nullopt;
   const Outcome outcome = search(start, goal, context.meter);
   report(outcome, expanded_, context.meter);
   if (outcome != Outcome::found) return std::nullopt;
-  context.meter.improved(lattice_length(nodes_.cost(target_)).value());
+  context.meter.improved(lattice_length<Ring>(nodes_.cost(target_)).value());
   return extract(start, goal);
 }
 
-RingCost JumpPointSearch::estimate(Cell cell) const {
+template <typename Ring>
+RingCost JumpPointSearch<Ring>::estimate(Cell cell) const {
   const int dx = goal_.x - cell.x;
   const int dy = goal_.y - cell.y;
-  return rule_ == MoveRule::four ? ManhattanDistance{}(dx, dy) : OctileDistance{}(dx, dy);
+  return rule_ == MoveRule::four ? ManhattanDistance<Ring>{}(dx, dy) : OctileDistance<Ring>{}(dx, dy);
 }
 
-bool JumpPointSearch::admit(const Meter& meter) {
+template <typename Ring>
+bool JumpPointSearch<Ring>::admit(const Meter& meter) {
   if (expanded_ == limit_) return false;
-  return ++expanded_ % clock_interval != 0 || !meter.out_of_time();
+  return ++expanded_ % jump_point_clock_interval != 0 || !meter.out_of_time();
 }
 
-Outcome JumpPointSearch::search(Cell start, Cell goal, const Meter& meter) {
+template <typename Ring>
+Outcome JumpPointSearch<Ring>::search(Cell start, Cell goal, const Meter& meter) {
   goal_ = goal;
   target_ = grid_.index(goal);
   bound_ = unbounded;
@@ -89,7 +100,8 @@ Outcome JumpPointSearch::search(Cell start, Cell goal, const Meter& meter) {
 }
 
 // Over when no entry is left that could lead to a shorter path than the best.
-Outcome JumpPointSearch::run(const Meter& meter) {
+template <typename Ring>
+Outcome JumpPointSearch<Ring>::run(const Meter& meter) {
   while (!open_.empty()) {
     const Cell cell = unpack(open_.pop());
     if (open_.floor() >= bound_) break;
@@ -102,7 +114,8 @@ Outcome JumpPointSearch::run(const Meter& meter) {
   return bound_ == unbounded ? Outcome::no_way : Outcome::found;
 }
 
-void JumpPointSearch::expand(const Place& from, unsigned mask) {
+template <typename Ring>
+void JumpPointSearch<Ring>::expand(const Place& from, unsigned mask) {
   parent_ = pack(from.cell);
   const bool four = rule_ == MoveRule::four;
   for (; mask != 0; mask &= mask - 1) {
@@ -120,24 +133,27 @@ void JumpPointSearch::expand(const Place& from, unsigned mask) {
   }
 }
 
+template <typename Ring>
 template <int direction>
-JumpPointSearch::Place JumpPointSearch::moved(const Place& from, int steps) const {
+typename JumpPointSearch<Ring>::Place JumpPointSearch<Ring>::moved(const Place& from, int steps) const {
   constexpr Cell step = directions[direction];
   return {
       {from.cell.x + steps * step.x, from.cell.y + steps * step.y},
       static_cast<std::size_t>(static_cast<std::ptrdiff_t>(from.index) + steps * (step.y * stride_ + step.x)),
-      from.cost + static_cast<RingCost>(steps) * step_cost(direction)};
+      from.cost + static_cast<RingCost>(steps) * step_cost<Ring>(direction)};
 }
 
+template <typename Ring>
 template <int direction>
-void JumpPointSearch::run_straight(const Place& from) {
+void JumpPointSearch<Ring>::run_straight(const Place& from) {
   const Run run = jumps_.run<direction>(from.cell);
   if (run.at_jump_point) reach(moved<direction>(from, run.steps), direction);
 }
 
 // Expects that the first step is legal. A marched cell needs no parent: it is passed over, never a turn.
+template <typename Ring>
 template <int direction>
-void JumpPointSearch::march(Place at) {
+void JumpPointSearch<Ring>::march(Place at) {
   for (;;) {
     at = moved<direction>(at, 1);
     const unsigned mask = moves_.after(direction, neighbours_[at.index]);
@@ -152,7 +168,8 @@ void JumpPointSearch::march(Place at) {
   }
 }
 
-void JumpPointSearch::reach(const Place& at, int direction) {
+template <typename Ring>
+void JumpPointSearch<Ring>::reach(const Place& at, int direction) {
   if (!nodes_.reach(at.index, at.cost, static_cast<unsigned>(direction))) return;
   const RingCost f = at.cost + estimate(at.cell);
   if (f >= bound_) return;
@@ -165,8 +182,9 @@ void JumpPointSearch::reach(const Place& at, int direction) {
 }
 
 // Backwards: undoes a jump's straight part, then its diagonal part (under `four`: vertical, then horizontal).
-Path JumpPointSearch::extract(Cell start, Cell goal) const {
-  const LatticeLength length = lattice_length(nodes_.cost(target_));
+template <typename Ring>
+Path JumpPointSearch<Ring>::extract(Cell start, Cell goal) const {
+  const LatticeLength length = lattice_length<Ring>(nodes_.cost(target_));
   Path path;
   path.points.resize(static_cast<std::size_t>(length.straight + length.diagonal) + 1);
   std::size_t i = path.points.size() - 1;
@@ -184,5 +202,8 @@ Path JumpPointSearch::extract(Cell start, Cell goal) const {
   }
   return path;
 }
+
+template class JumpPointSearch<SmallRing>;
+template class JumpPointSearch<LargeRing>;
 
 }  // namespace pathrace::baselines

@@ -8,7 +8,7 @@ namespace pathrace::baselines {
 
 class OneToAll {
  public:
-  /// The terrain outlives this.
+  /// The terrain outlives this; its map has at most 2^24 cells.
   explicit OneToAll(const Terrain& terrain) : search_(terrain) {}
 
   /// Measures from this free cell.

@@ -1,9 +1,9 @@
 // What a search knows about each cell of a map, in 8 bytes per padded cell.
 //
 // From the highest bit: 12 bits of generation, 48 bits of cost, one bit "expanded", 3 bits for the direction
-// of the step that led here. Generations count down from query to query, so that every node of an older query
-// is greater than any of the present one: "unseen, or seen at more cost" is one comparison, and a new query
-// costs nothing.
+// of the step that led here; on large maps 6 bits of generation, 54 of cost. Generations count down from
+// query to query, so that every node of an older query is greater than any of the present one: "unseen, or
+// seen at more cost" is one comparison, and a new query costs nothing.
 #pragma once
 
 #include <algorithm>
@@ -12,12 +12,15 @@
 #include <vector>
 
 #include "baselines/grid/ring_cost.hpp"
+#include "core/checkpoint.hpp"
 
 namespace pathrace::baselines {
 
+template <typename Ring = SmallRing>
 class SearchNodes {
  public:
-  explicit SearchNodes(std::size_t cells) : nodes_(cells, unseen) {}
+  explicit SearchNodes(std::size_t cells)
+      : nodes_(filled_gradually<std::vector<std::uint64_t>>(cells, unseen)) {}
 
   /// Forgets every cell.
   void restart() {
@@ -48,10 +51,11 @@ class SearchNodes {
 
  private:
   static constexpr std::uint64_t unseen = ~std::uint64_t{0};
-  static constexpr int generation_shift = 52;
-  static constexpr std::uint64_t generation_count = 4095;  // the generation 4095 itself means unseen
   static constexpr int cost_shift = 4;
-  static constexpr std::uint64_t cost_mask = (std::uint64_t{1} << 48) - 1;
+  static constexpr int generation_shift = cost_shift + Ring::cost_bits;
+  // The last generation itself means unseen.
+  static constexpr std::uint64_t generation_count = (std::uint64_t{1} << (64 - generation_shift)) - 1;
+  static constexpr std::uint64_t cost_mask = (std::uint64_t{1} << Ring::cost_bits) - 1;
   static constexpr std::uint64_t expanded_bit = 8;
   static constexpr std::uint64_t direction_mask = 7;
   static constexpr std::uint64_t low_bits = 15;

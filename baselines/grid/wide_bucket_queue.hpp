@@ -14,6 +14,7 @@
 
 namespace pathrace::baselines {
 
+template <typename Ring = SmallRing>
 class WideBucketQueue {
  public:
   /// `rise`: the most that f rises from an entry popped to one pushed before the next pop.
@@ -51,7 +52,7 @@ class WideBucketQueue {
   RingCost floor() const { return base_ + (current_ << width_bits); }
 
  private:
-  static constexpr int width_bits = 23;
+  static constexpr int width_bits = Ring::bucket_bits;
   static constexpr std::uint32_t none = 0xFFFFFFFF;
 
   struct Link {

@@ -7,7 +7,7 @@
 namespace pathrace::baselines {
 namespace {
 
-constexpr OctileDistance estimate;  // under `four` a lower bound still
+constexpr OctileDistance<> estimate;  // under `four` a lower bound still
 
 RingCost between(Cell a, Cell b) {
   return estimate(a.x - b.x, a.y - b.y);

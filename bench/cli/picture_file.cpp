@@ -31,6 +31,17 @@ void require_extension(const std::string& file, const std::vector<std::string>& 
   throw InputError(fmt::format("{}: expected a {} file", file, listed(extensions)));
 }
 
+void require_svg_size(const std::string& file, const Scenario& scenario) {
+  constexpr std::int64_t most = std::int64_t{1} << 24;
+  if (scenario.world) return;
+  const OccupancyGrid& grid = scenario.grid();
+  if (std::int64_t{grid.width()} * grid.height() <= most) return;
+  throw InputError(
+      fmt::format("{}: a map of {}x{} cells is too large for an SVG picture, expected at most {} "
+                  "cells; a PNG picture shows any map",
+                  file, grid.width(), grid.height(), most));
+}
+
 void write_picture(const std::string& file, const Scenario& scenario, const Answer& answer,
                    const std::string& title) {
   require_extension(file, {".png", ".svg"});
@@ -38,6 +49,7 @@ void write_picture(const std::string& file, const Scenario& scenario, const Answ
   if (std::filesystem::path(file).extension() == ".png") {
     results::write_png(bytes, scenario, answer, title);
   } else {
+    require_svg_size(file, scenario);
     results::write_svg(bytes, scenario, answer, title);
   }
   write_file(file, bytes.str());

@@ -1,12 +1,20 @@
 #include "core/reference/distance_field.hpp"
 
 #include <limits>
+#include <numbers>
+
+#include "core/checkpoint.hpp"
 
 namespace pathrace::reference {
 namespace {
 
-std::size_t bucket_of(std::int32_t straight, std::int32_t diagonal) {
-  return static_cast<std::size_t>(LatticeLength{straight, diagonal}.value());
+// The whole part of the length. The double is off by one at most, and then 2 d^2 tells.
+std::size_t bucket_of(std::int64_t straight, std::int64_t diagonal) {
+  const std::int64_t square = 2 * diagonal * diagonal;
+  auto whole = static_cast<std::int64_t>(static_cast<double>(diagonal) * std::numbers::sqrt2);
+  if (whole * whole > square) --whole;
+  if ((whole + 1) * (whole + 1) <= square) ++whole;
+  return static_cast<std::size_t>(straight + whole);
 }
 
 }  // namespace
@@ -14,8 +22,9 @@ std::size_t bucket_of(std::int32_t straight, std::int32_t diagonal) {
 DistanceField::DistanceField(const Terrain& terrain, Cell source, std::optional<Cell> target)
     : grid_(*terrain.grid),
       rule_(terrain.rule),
-      best_(grid_.padded_size()),
-      settled_(grid_.padded_size(), 0) {
+      best_(filled_gradually<std::vector<Count>>(grid_.padded_size(), Count{})),
+      settled_(filled_gradually<std::vector<std::uint8_t>>(grid_.padded_size(), 0)) {
+  order_.reserve(grid_.padded_size());
   search(grid_.index(source), target ? grid_.index(*target) : std::numeric_limits<std::size_t>::max());
 }
 
@@ -43,6 +52,7 @@ void DistanceField::search(std::size_t source, std::size_t target) {
   reach(source, {0, 0});
   std::size_t idle = 0;
   for (std::size_t lowest = 0; idle < bucket_count; ++lowest) {
+    checkpoint();
     std::vector<std::uint32_t>& bucket = buckets_[lowest % bucket_count];
     idle = bucket.empty() ? idle + 1 : 0;
     for (const std::uint32_t index : bucket) {  // every step leads to another bucket

@@ -71,12 +71,12 @@ TEST(OccupancyGrid, RefusesAMapWithoutCellsAndNamesItsSize) {
 }
 
 TEST(OccupancyGrid, RefusesAMapThatIsTooLargeAndNamesItsSize) {
-  EXPECT_EQ(refusal(16385, 1), "grid must have at most 16384 cells a side and 16777216 in all, got 16385x1");
-  EXPECT_EQ(refusal(1, 16385), "grid must have at most 16384 cells a side and 16777216 in all, got 1x16385");
-  EXPECT_EQ(refusal(4097, 4096),
-            "grid must have at most 16384 cells a side and 16777216 in all, got 4097x4096");
+  EXPECT_EQ(refusal(16385, 1), "grid must have at most 16384 cells a side and 134217728 in all, got 16385x1");
+  EXPECT_EQ(refusal(1, 16385), "grid must have at most 16384 cells a side and 134217728 in all, got 1x16385");
+  EXPECT_EQ(refusal(8193, 16384),
+            "grid must have at most 16384 cells a side and 134217728 in all, got 8193x16384");
   EXPECT_EQ(refusal(2147483647, 2147483647),
-            "grid must have at most 16384 cells a side and 16777216 in all, got 2147483647x2147483647");
+            "grid must have at most 16384 cells a side and 134217728 in all, got 2147483647x2147483647");
   EXPECT_EQ(refusal(16384, 1024), "accepted");
 }
 

@@ -72,7 +72,7 @@ std::vector<Malformed> malformed_pnm() {
       {"n.pgm", "P5\n2 2\n300\nabcdefg", {"holds 7 bytes of samples; expected 8"}},
       {"o.pgm", "P5\n2 2\n255", {"holds 0 bytes of samples; expected 4"}},
       {"p.pgm", "P5\n16385 1\n255\n", {"16385x1", "1 to 16384"}},
-      {"q.pgm", "P5\n16384 16384\n255\n", {"16384x16384", "16777216"}},
+      {"q.pgm", "P5\n16384 16384\n255\n", {"16384x16384", "134217728"}},
       {"r.pgm", "P5\n99999999999 1\n255\n", {"'99999999999'"}},
       {"s.pgm", "P2\n2 2\n9\n1 2\n3 10\n", {":5: '10'", "0 to 9"}},
       {"t.pgm", "P2\n2 2\n9\n1 2\nx 4\n", {":5: 'x'", "a sample"}},

@@ -78,7 +78,7 @@ const std::vector<Malformed>& malformed_maps() {
       {"width beyond 64 bits", map_header("2", "99999999999999999999"), 3, {"width '999", side_range}},
       {"height one too large", map_header("16385", "1"), 2, {"height '16385'", side_range}},
       {"width in billions", map_header("1", "2000000000"), 3, {"width '2000000000'", side_range}},
-      {"both sides large", map_header("16384", "16384"), 3, {"16384x16384", "at most 16777216"}},
+      {"both sides large", map_header("16384", "16384"), 3, {"16384x16384", "at most 134217728"}},
       {"no rows", map_header("2", "2"), 5, {"ends after 0 rows", "expected 2"}},
       {"a row missing", map_header("3", "2") + "..\n..\n", 7, {"ends after 2 rows", "expected 3"}},
       {"a row missing before blank lines", map_header("2", "2") + "..\n\n\n", 6, {"ends after 1 rows"}},

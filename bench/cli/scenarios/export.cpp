@@ -5,6 +5,7 @@
 #include <memory>
 #include <sstream>
 
+#include "bench/cli/picture_file.hpp"
 #include "bench/cli/scenarios/verb.hpp"
 #include "bench/run_folder.hpp"
 #include "core/error.hpp"
@@ -42,6 +43,7 @@ void write_as(const std::string& format, std::ostream& out, const Scenario& scen
   } else if (format == "png") {
     scenarios::write_png(out, scenario.grid());
   } else if (format == "svg") {
+    require_svg_size("--format svg", scenario);
     results::write_svg(out, scenario, std::nullopt, scenario.id);
   } else if (format == "csv") {
     scenarios::write_text_grid(out, scenario.grid(), ",");
