@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "bench/guarded.hpp"
+#include "bench/ticker.hpp"
 #include "core/checkpoint.hpp"
 #include "core/error.hpp"
 #include "core/hash.hpp"
@@ -136,9 +137,11 @@ bool call_navigator(const Entrant& entrant, Run& run, TrialRecord& record) {
 }  // namespace
 
 TrialRecord run_dynamic_trial(const Entrant& entrant, const World& world, const Budget& budget,
-                              const Stream& stream, Executor& executor, const WatchStep& watch) {
+                              const Stream& stream, Executor& executor, const WatchStep& watch,
+                              Ticker* ticker) {
   TrialRecord record;
   Meter meter(budget);
+  const Ticker::Watch shown(ticker, meter);
   executor.restart_census();
   Run run(world, stream, executor, meter, watch);
   bool came_back = false;

@@ -10,6 +10,8 @@
 
 namespace pathrace::bench {
 
+class Ticker;
+
 /// Called after each step, with what the navigator saw, where it goes, and what it drew.
 using WatchStep = std::function<void(const Snapshot&, Point next, const Overlay&)>;
 
@@ -21,6 +23,7 @@ using WatchStep = std::function<void(const Snapshot&, Point next, const Overlay&
 /// planner of static maps. Nothing a navigator does comes out as an exception. `key` and the costs that
 /// describe the executor are the caller's to fill in.
 TrialRecord run_dynamic_trial(const Entrant& entrant, const World& world, const Budget& budget,
-                              const Stream& stream, Executor& executor, const WatchStep& watch = {});
+                              const Stream& stream, Executor& executor, const WatchStep& watch = {},
+                              Ticker* ticker = nullptr);
 
 }  // namespace pathrace::bench

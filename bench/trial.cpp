@@ -6,6 +6,7 @@
 
 #include "bench/dynamic_trial.hpp"
 #include "bench/guarded.hpp"
+#include "bench/ticker.hpp"
 #include "core/checkpoint.hpp"
 #include "core/error.hpp"
 #include "core/gap.hpp"
@@ -64,10 +65,12 @@ void judge(const Entrant& entrant, const Scenario& scenario, const Referee& refe
 }  // namespace
 
 TrialRecord run_trial(const Entrant& entrant, const Scenario& scenario, const Referee& referee,
-                      const Budget& budget, const Stream& stream, Executor& executor, Overlay* overlay) {
+                      const Budget& budget, const Stream& stream, Executor& executor, Overlay* overlay,
+                      Ticker* ticker) {
   if (scenario.world) return run_dynamic_trial(entrant, *scenario.world, budget, stream, executor);
   TrialRecord record;
   Meter meter(budget);
+  const Ticker::Watch watch(ticker, meter);
   Context context{stream, executor, meter, overlay};
   executor.restart_census();
   executor.with_team([&] { call_planner(entrant, scenario, context, record); });

@@ -9,12 +9,14 @@
 
 namespace pathrace::bench {
 
+class Ticker;
+
 /// Nothing a planner does comes out as an exception: it becomes the record's verdict. `key` and the costs
 /// that describe the executor are the caller's to fill in. `overlay`: for a picture of what the planner
 /// thinks. A legal path that beats what is proven about the scenario is `invalid`: somebody errs, and nobody
 /// shall win by it. Throws Interrupted when the process is asked to stop and the planner was cut by that.
 TrialRecord run_trial(const Entrant& entrant, const Scenario& scenario, const Referee& referee,
                       const Budget& budget, const Stream& stream, Executor& executor,
-                      Overlay* overlay = nullptr);
+                      Overlay* overlay = nullptr, Ticker* ticker = nullptr);
 
 }  // namespace pathrace::bench

@@ -1,5 +1,6 @@
 // `plan`: one trial, looked at closely.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <memory>
@@ -7,11 +8,13 @@
 
 #include "bench/cli/command.hpp"
 #include "bench/cli/options.hpp"
+#include "bench/cli/picture_file.hpp"
 #include "bench/dynamic_trial.hpp"
 #include "bench/executors.hpp"
 #include "bench/reference.hpp"
 #include "bench/roster.hpp"
 #include "bench/run_folder.hpp"
+#include "bench/ticker.hpp"
 #include "bench/trial.hpp"
 #include "core/error.hpp"
 #include "core/hash.hpp"
@@ -188,25 +191,29 @@ void write_frames(const PlanCommand& command, const Scenario& scenario, const re
 
 // Proves what the gap counts from, too.
 TrialRecord run_once(const PlanCommand& command, const Entrant& entrant, Scenario& scenario,
-                     const Budget& budget, const Stream& stream, std::vector<Overlay>& overlays) {
+                     const Budget& budget, const Stream& stream, std::vector<Overlay>& overlays,
+                     Ticker& ticker) {
   const std::unique_ptr<Executor> executor = make_executor(command.options.backend, command.options.threads);
   if (scenario.world) {
     WatchStep watch;
     if (command.draws()) {
       watch = [&overlays](const Snapshot&, Point, const Overlay& overlay) { overlays.push_back(overlay); };
     }
-    return run_dynamic_trial(entrant, *scenario.world, budget, stream, *executor, watch);
+    return run_dynamic_trial(entrant, *scenario.world, budget, stream, *executor, watch, &ticker);
   }
   overlays.emplace_back();
   const Referee referee(scenario.terrain);
   prove_reference(scenario, entrant.card->track, referee);
-  return run_trial(entrant, scenario, referee, budget, stream, *executor, &overlays.back());
+  return run_trial(entrant, scenario, referee, budget, stream, *executor, command.draws() ? &overlays.back() : nullptr, &ticker);
 }
 
 int plan_command(const PlanCommand& command) {
   require_backend(command.options);
   const Entrant entrant = roster().enter(parse_call(command.planner));
+  auto ticker = std::make_unique<Ticker>(isatty(STDERR_FILENO) == 1);
+  ticker->say("proves the optimum");
   Scenario scenario = chosen_scenario(command);
+  if (!command.svg.empty()) require_svg_size(command.svg, scenario);
   if (!command.frames.empty() && !scenario.world) {
     throw InputError(
         fmt::format("--frames: expected a dynamic scenario such as discs/open/1, got '{}'", scenario.id));
@@ -216,7 +223,8 @@ int plan_command(const PlanCommand& command) {
                      command.repetition, command.seed,           work_hash(budget)};
   std::vector<Overlay> overlays;
   TrialRecord record = run_once(command, entrant, scenario, budget,
-                                root_stream(key.seed, key.scenario, key.repetition), overlays);
+                                root_stream(key.seed, key.scenario, key.repetition), overlays, *ticker);
+  ticker.reset();
   record.key = key.hash();
   record.costs.backend = command.options.backend;
   record.costs.threads = command.options.threads;
