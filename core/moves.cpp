@@ -1,5 +1,7 @@
 #include "core/moves.hpp"
 
+#include "core/checkpoint.hpp"
+
 namespace pathrace {
 namespace {
 
@@ -32,13 +34,15 @@ std::array<std::uint8_t, 256> legal_by_pattern(MoveRule rule) {
 
 }  // namespace
 
-MoveTable::MoveTable(const OccupancyGrid& grid, MoveRule rule) : masks_(grid.padded_size(), 0) {
+MoveTable::MoveTable(const OccupancyGrid& grid, MoveRule rule)
+    : masks_(filled_gradually<std::vector<std::uint8_t>>(grid.padded_size(), 0)) {
   const auto stride = static_cast<std::ptrdiff_t>(grid.stride());
   for (std::size_t d = 0; d < direction_count; ++d) {
     offsets_[d] = directions[d].y * stride + directions[d].x;
   }
   const auto legal = legal_by_pattern(rule);
   for (int y = 0; y < grid.height(); ++y) {
+    checkpoint();
     const std::size_t row = grid.index({0, y});
     for (std::size_t index = row; index < row + static_cast<std::size_t>(grid.width()); ++index) {
       if (grid.blocked_at(index)) continue;

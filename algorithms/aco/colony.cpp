@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "algorithms/aco/scout.hpp"
+#include "core/checkpoint.hpp"
 #include "core/prefetch.hpp"
 
 namespace pathrace::algorithms {
@@ -65,22 +66,28 @@ Answer Colony::run(Context& context) {
   if (!lay_trail(meter)) return std::nullopt;
   rule_.begin(*this);
   make_walkers(context.executor);
-  for (std::uint64_t iteration = 0; !meter.exhausted(); ++iteration) {
-    const std::size_t walked = walk_all(context, context.stream.fork(iteration));
-    const std::optional<Tally> known = early_tally(walked);
-    const std::size_t count = charge(walked, known, meter);
-    rule_.revise(*this, context, count);
-    const Tally counted = known && count == walked ? *known : tally(count);
-    const bool improved = keep_best(counted, meter);
-    meter.count("arrived", counted.arrived);
-    meter.count("pops", counted.pops);
-    meter.end_iteration();
-    rule_.learn(*this, {iteration, count, counted.shortest, improved});
+  try {
+    for (std::uint64_t iteration = 0; !meter.exhausted(); ++iteration) iterate(iteration, context);
+  } catch (const OutOfTime&) {  // in the middle of an iteration: the best so far stands
   }
   if (context.overlay != nullptr) draw(*context.overlay);
   const Walk last = settings_.answer == AntAnswer::best_so_far ? best_ : strongest_trail();
   if (!last.arrived) return std::nullopt;
   return rule_.finish(nest_, last);
+}
+
+void Colony::iterate(std::uint64_t iteration, Context& context) {
+  Meter& meter = context.meter;
+  const std::size_t walked = walk_all(context, context.stream.fork(iteration));
+  const std::optional<Tally> known = early_tally(walked);
+  const std::size_t count = charge(walked, known, meter);
+  rule_.revise(*this, context, count);
+  const Tally counted = known && count == walked ? *known : tally(count);
+  const bool improved = keep_best(counted, meter);
+  meter.count("arrived", counted.arrived);
+  meter.count("pops", counted.pops);
+  meter.end_iteration();
+  rule_.learn(*this, {iteration, count, counted.shortest, improved});
 }
 
 // False when the goal cannot be reached, or the checks did not suffice to find out.
@@ -129,7 +136,9 @@ void Colony::regroup(const std::vector<Taste>& tastes) {
     Group& group = *groups_[g];
     group.trail.emplace(nest_.moves(), 1.0, tastes[g].alpha, tastes[g].beta, heuristic(settings_, nest_));
     group.trail->limit(trail_->lower_limit(), trail_->upper_limit());
+    Pace pace;
     for (std::size_t index = 0; index < nest_.size(); ++index) {
+      pace.step();
       for (int d = 0; d < direction_count; ++d) {
         if ((nest_.open(index) >> d & 1) != 0) {
           group.trail->set(index, d, trail_->pheromone(index, d));

@@ -80,6 +80,7 @@ class Colony {
 
   Ground ground_on(const Trail& trail) const;
   bool lay_trail(Meter& meter);
+  void iterate(std::uint64_t iteration, Context& context);
   void make_walkers(const Executor& executor);
   std::size_t walk_all(Context& context, const Stream& stream);
   /// Of the first `count` walks.

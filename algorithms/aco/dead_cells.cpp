@@ -1,5 +1,6 @@
 #include "algorithms/aco/dead_cells.hpp"
 
+#include "core/checkpoint.hpp"
 #include "core/lattice_length.hpp"
 
 namespace pathrace::algorithms {
@@ -123,7 +124,9 @@ void DeadCells::mark_literally(std::size_t cell) {
 void DeadCells::mark_dominated(std::size_t cell) {
   popped_[cell] = 1;
   frontier_.assign(1, cell);
+  Pace pace;
   while (!frontier_.empty()) {
+    pace.step();
     const std::size_t next = frontier_.back();
     frontier_.pop_back();
     if (!moves_.alive(next) || !dominated(moves_, next)) continue;
@@ -140,7 +143,9 @@ bool DeadCells::connected() {
   ++fills_;
   frontier_.assign(1, start_);
   seen_[start_] = fills_;
+  Pace pace;
   while (!frontier_.empty()) {
+    pace.step();
     const std::size_t cell = frontier_.back();
     frontier_.pop_back();
     if (cell == goal_) return true;

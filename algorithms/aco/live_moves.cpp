@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include "core/checkpoint.hpp"
+
 namespace pathrace::algorithms {
 
 LiveMoves::LiveMoves(const OccupancyGrid& grid, MoveRule rule)
@@ -9,7 +11,9 @@ LiveMoves::LiveMoves(const OccupancyGrid& grid, MoveRule rule)
   const MoveTable moves(grid, rule);
   masks_.assign(moves.data(), moves.data() + moves.size());
   for (int d = 0; d < direction_count; ++d) offsets_[static_cast<std::size_t>(d)] = moves.offset(d);
+  Pace pace;
   for (std::size_t i = 0; i < closed_.size(); ++i) {
+    pace.step();
     closed_[i] = obstacle_[i] = static_cast<std::uint8_t>(grid.blocked_at(i));
   }
 }

@@ -2,6 +2,8 @@
 
 #include <bit>
 
+#include "core/checkpoint.hpp"
+
 namespace pathrace::algorithms {
 namespace {
 
@@ -26,7 +28,9 @@ int branches(const Nest& nest, const Trail& trail, std::size_t index, double lam
 double mean_choices(const Nest& nest) {
   std::size_t cells = 0;
   std::size_t steps = 0;
+  Pace pace;
   for (std::size_t index = 0; index < nest.size(); ++index) {
+    pace.step();
     const unsigned mask = nest.moves()[index];
     cells += mask != 0 ? 1 : 0;
     steps += static_cast<std::size_t>(std::popcount(mask));

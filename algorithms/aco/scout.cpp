@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "core/checkpoint.hpp"
+
 namespace pathrace::algorithms {
 namespace {
 
@@ -28,9 +30,11 @@ ScoutReport send_scout(const Nest& nest, const Trail& trail, std::uint64_t limit
   std::vector<std::uint8_t> directions;
   std::size_t cell = nest.start();
   seen[cell] = 1;
+  Pace pace;
   while (cell != nest.goal()) {
     if (report.decisions == limit) return report;
     ++report.decisions;
+    pace.step();
     const int d = greedy_step(nest, trail, seen, cell);
     if (d >= 0) {
       cell = nest.moves().step(cell, d);

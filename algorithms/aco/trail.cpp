@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "algorithms/aco/power.hpp"
+#include "core/checkpoint.hpp"
 
 namespace pathrace::algorithms {
 namespace {
@@ -36,10 +37,12 @@ Trail::Trail(const MoveTable& moves, double initial, double alpha, double beta, 
       steps_(moves),
       alpha_(alpha),
       smallest_scale_(std::ldexp(1.0, -static_cast<int>(40 / std::max(1.0, alpha)))),
-      rows_(moves.size(), TrailRow{}),
+      rows_(filled_gradually<Rows>(moves.size(), TrailRow{})),
       held_(moves.size()) {
-  if (alpha != 1) stored_.resize(moves.size(), Stored{});
+  if (alpha != 1) assign_gradually(stored_, moves.size(), Stored{});
+  Pace pace;
   for (std::size_t index = 0; index < moves.size(); ++index) {
+    pace.step();
     if (moves[index] == 0) continue;
     rows_[index].desirability = desirabilities(moves[index], index, beta, eta);
     for (int d = 0; d < direction_count; ++d) {
@@ -133,7 +136,9 @@ void Trail::reset(double value) {
   scale_ = 1;
   rescale();
   const float tau = std::min(std::max(static_cast<float>(value), least_), most_);
+  Pace pace;
   for (std::size_t index = 0; index < rows_.size(); ++index) {
+    pace.step();
     for (int d = 0; d < direction_count; ++d) stored(index, d) = tau;
   }
   rewrite_strengths();
@@ -170,7 +175,9 @@ void Trail::rewrite(double persistence) {
   const auto factor = static_cast<float>(scale_ * persistence);
   scale_ = 1;
   rescale();
+  Pace pace;
   for (std::size_t index = 0; index < rows_.size(); ++index) {
+    pace.step();
     for (int d = 0; d < direction_count; ++d) {
       float& tau = stored(index, d);
       tau = std::min(std::max(tau * factor, least_), most_);
@@ -182,10 +189,15 @@ void Trail::rewrite(double persistence) {
 void Trail::rewrite_strengths() {
   if (stored_.empty()) return;
   float largest = 0;
-  for (const Stored& row : stored_) largest = std::max(largest, *std::max_element(row.begin(), row.end()));
+  Pace pace;
+  for (const Stored& row : stored_) {
+    pace.step();
+    largest = std::max(largest, *std::max_element(row.begin(), row.end()));
+  }
   unit_ = largest > 0 ? largest : 1;
   rescale();
   for (std::size_t index = 0; index < rows_.size(); ++index) {
+    pace.step();
     for (std::size_t d = 0; d < direction_count; ++d) {
       rows_[index].strength[d] = strength_of(stored_[index][d]);
     }

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "algorithms/aco/choice.hpp"
+#include "core/checkpoint.hpp"
 #include "core/prefetch.hpp"
 
 namespace pathrace::algorithms {
@@ -37,11 +38,13 @@ Walker::Walker(const Ground& ground, std::size_t lanes) : ground_(ground), lanes
   }
   const std::size_t margin = ground.nest.stride() + 4;
   for (Lane& lane : lanes_) {
-    lane.mark_bytes.resize(ground.nest.size() + 2 * margin);
+    assign_gradually(lane.mark_bytes, ground.nest.size() + 2 * margin, std::uint8_t{0});
     lane.marks = lane.mark_bytes.data() + margin;
-    lane.path_bytes.resize(ground.nest.free_cells() + 2);
+    assign_gradually(lane.path_bytes, ground.nest.free_cells() + 2, std::uint8_t{0});
     lane.first = lane.path_bytes.data() + 1;
-    if (ground.dead_end == DeadEnd::revisit_with_loop_erasure) lane.place.resize(ground.nest.size());
+    if (ground.dead_end == DeadEnd::revisit_with_loop_erasure) {
+      assign_gradually(lane.place, ground.nest.size(), std::uint32_t{0});
+    }
   }
 }
 

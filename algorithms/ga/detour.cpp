@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/checkpoint.hpp"
+
 namespace pathrace::algorithms {
 namespace {
 
@@ -19,7 +21,8 @@ std::int64_t squared_distance(Cell a, Cell b) {
 
 }  // namespace
 
-Detour::Detour(const GeneMap& map, std::size_t reach) : map_(map), reach_(reach), seen_(map.size(), 0) {
+Detour::Detour(const GeneMap& map, std::size_t reach)
+    : map_(map), reach_(reach), seen_(filled_gradually<std::vector<std::uint32_t>>(map.size(), 0)) {
   const std::size_t most = std::min(map.inner().size() + 2, 8 * reach + 1);
   queue_.reserve(most);
   way_.reserve(most);

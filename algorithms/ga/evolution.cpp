@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/checkpoint.hpp"
+
 namespace pathrace::algorithms {
 namespace {
 
@@ -34,10 +36,13 @@ std::size_t Evolution::longest_chromosome(std::size_t population) {
 
 Answer Evolution::run() {
   if (context_.meter.exhausted()) return std::nullopt;
-  found();
-  for (std::uint64_t generation = 1; !context_.meter.exhausted(); ++generation) {
-    breed(generation);
-    context_.meter.end_iteration();
+  try {
+    found();
+    for (std::uint64_t generation = 1; !context_.meter.exhausted(); ++generation) {
+      breed(generation);
+      context_.meter.end_iteration();
+    }
+  } catch (const OutOfTime&) {  // while a breeder was made ready: the best so far stands
   }
   if (context_.overlay != nullptr) draw(*context_.overlay);
   return answer();
@@ -87,6 +92,7 @@ std::size_t Evolution::chunk_size(std::size_t tasks) {
   const std::size_t chunks = std::clamp<std::size_t>(worth, 1, most);
   const std::size_t grain = std::max<std::size_t>(1, (tasks + chunks - 1) / chunks);
   while (breeders_.size() * grain < tasks || breeders_.empty()) {
+    checkpoint();
     breeders_.emplace_back(settings_, map_, capacity_);
   }
   return grain;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "algorithms/ga/gene_map.hpp"
+#include "core/checkpoint.hpp"
 
 namespace pathrace::algorithms {
 
@@ -17,7 +18,7 @@ class PlaceTable {
  public:
   static constexpr std::uint32_t nowhere = 0xFFFFFFFFU;
 
-  explicit PlaceTable(std::size_t genes) : words_(genes, 0) {}
+  explicit PlaceTable(std::size_t genes) : words_(filled_gradually<std::vector<std::uint64_t>>(genes, 0)) {}
 
   /// Forgets every cell.
   void clear() {

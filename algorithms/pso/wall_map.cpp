@@ -4,6 +4,8 @@
 #include <bit>
 #include <cstdlib>
 
+#include "core/checkpoint.hpp"
+
 namespace pathrace::algorithms {
 namespace {
 
@@ -95,6 +97,7 @@ WallMap::Rows::Rows(const OccupancyGrid& grid, bool transposed)
     return !grid.is_free(transposed ? Cell{y, x} : Cell{x, y});
   };
   for (std::int64_t r = 0; r < height_; ++r) {
+    checkpoint();
     for (std::int64_t c = 0; c < width_; ++c) {
       if (blocked(r, c)) set(blocked_, r, c);
       if (r == 0 || c == 0) continue;

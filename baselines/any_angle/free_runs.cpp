@@ -1,10 +1,13 @@
 #include "baselines/any_angle/free_runs.hpp"
 
+#include "core/checkpoint.hpp"
+
 namespace pathrace::baselines {
 
 FreeRuns::FreeRuns(const OccupancyGrid& grid) : width_(static_cast<std::size_t>(grid.width())) {
   at_or_after_.reserve(width_ * static_cast<std::size_t>(grid.height()));
   for (int y = 0; y < grid.height(); ++y) {
+    checkpoint();
     first_in_row_.push_back(runs_.size());
     bool inside = false;
     for (int x = 0; x < grid.width(); ++x) {

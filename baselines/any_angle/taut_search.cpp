@@ -5,10 +5,12 @@
 #include <limits>
 #include <tuple>
 
+#include "core/checkpoint.hpp"
+
 namespace pathrace::baselines {
 namespace {
 
-constexpr std::uint64_t clock_interval = 256;
+constexpr std::uint64_t clock_interval = 16;  // a vertex in a wide hall may take milliseconds
 constexpr double unreached = std::numeric_limits<double>::infinity();
 
 Spot spot_of(Cell cell) {
@@ -28,8 +30,9 @@ TautSearch::TautSearch(const Terrain& terrain)
     : grid_(*terrain.grid),
       runs_(grid_),
       beams_(runs_),
-      place_((static_cast<std::size_t>(grid_.width()) + 1) * (static_cast<std::size_t>(grid_.height()) + 1),
-             0) {}
+      place_(filled_gradually<std::vector<std::uint32_t>>(
+          (static_cast<std::size_t>(grid_.width()) + 1) * (static_cast<std::size_t>(grid_.height()) + 1),
+          0)) {}
 
 Answer TautSearch::plan(Cell start, Cell goal, Context& context) {
   if (context.meter.exhausted()) return std::nullopt;

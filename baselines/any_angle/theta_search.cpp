@@ -8,11 +8,12 @@
 #include <tuple>
 
 #include "baselines/any_angle/sight.hpp"
+#include "core/checkpoint.hpp"
 
 namespace pathrace::baselines {
 namespace {
 
-constexpr std::uint64_t clock_interval = 1024;
+constexpr std::uint64_t clock_interval = 64;  // sight lines may be long
 
 double distance(Cell a, Cell b) {
   const std::int64_t dx = a.x - b.x;
@@ -31,7 +32,7 @@ ThetaSearch::ThetaSearch(const Terrain& terrain, Looking looking)
     : grid_(*terrain.grid),
       looking_(looking),
       moves_(grid_, terrain.rule == MoveRule::free ? MoveRule::squeeze : terrain.rule),
-      nodes_(grid_.padded_size(), Node{0, {}, 0}) {}
+      nodes_(filled_gradually<std::vector<Node>>(grid_.padded_size(), Node{0, {}, 0})) {}
 
 Answer ThetaSearch::plan(Cell start, Cell goal, Context& context) {
   if (context.meter.exhausted()) return std::nullopt;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/catalogue.hpp"
+#include "core/checkpoint.hpp"
 #include "core/lattice_length.hpp"
 #include "core/moves.hpp"
 
@@ -44,12 +45,14 @@ Answer walk(const Problem& problem, Context& context) {
   std::vector<std::uint8_t> visited(problem.grid.padded_size(), 0);
   std::vector<Cell> cells{problem.start};
   LatticeLength length;
+  Pace pace;
   while (cells.back() != problem.goal) {
     if (context.meter.checks_left() == 0) return std::nullopt;
     const Cell cell = cells.back();
     visited[problem.grid.index(cell)] = 1;
     const int direction = nearest_to_goal(problem, moves, visited, cell);
     context.meter.spend_checks(1);
+    pace.step();
     if (direction < 0) break;
     const Cell step = directions[static_cast<std::size_t>(direction)];
     cells.push_back({cell.x + step.x, cell.y + step.y});

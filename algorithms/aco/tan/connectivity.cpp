@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <numeric>
 
+#include "core/checkpoint.hpp"
+
 namespace pathrace::algorithms {
 namespace {
 
@@ -48,6 +50,7 @@ std::vector<CircleSet> connected_sets(const std::vector<Circle>& circles) {
 
   Union sets(circles.size());
   for (std::size_t a = 0; a < order.size(); ++a) {
+    checkpoint();
     const Circle& circle = circles[order[a]];
     const double right = circle.centre.x + circle.radius + touching;
     for (std::size_t b = a + 1; b < order.size() && left(order[b]) <= right; ++b) {

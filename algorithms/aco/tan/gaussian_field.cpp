@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "core/checkpoint.hpp"
+
 namespace pathrace::algorithms {
 namespace {
 
@@ -28,6 +30,7 @@ void approach(const OccupancyGrid& grid, Point a, Point b, double reach, std::ve
     return std::min(side - 1, static_cast<int>(std::ceil(std::max(p, q) + reach)));
   };
   for (int y = first(a.y, b.y); y <= last(a.y, b.y, grid.height()); ++y) {
+    checkpoint();
     for (int x = first(a.x, b.x); x <= last(a.x, b.x, grid.width()); ++x) {
       double& least = squared[grid.index({x, y})];
       least = std::min(least, squared_distance(centre({x, y}), a, b));
@@ -41,12 +44,15 @@ std::vector<double> gaussian_field(const OccupancyGrid& grid, const std::vector<
                                    const GaussianField& field) {
   constexpr double cut = 3;
   const double reach = cut * field.sigma;
-  std::vector<double> squared(grid.padded_size(), std::numeric_limits<double>::infinity());
+  auto squared =
+      filled_gradually<std::vector<double>>(grid.padded_size(), std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < polyline.size(); ++i) {
     approach(grid, polyline[i == 0 ? 0 : i - 1], polyline[i], reach, squared);
   }
-  std::vector<double> values(grid.padded_size(), field.base);
+  auto values = filled_gradually<std::vector<double>>(grid.padded_size(), field.base);
+  Pace pace;
   for (std::size_t index = 0; index < values.size(); ++index) {
+    pace.step();
     if (grid.blocked_at(index) || squared[index] > reach * reach) continue;
     values[index] += field.amplitude * std::exp(-squared[index] / (2 * field.sigma * field.sigma));
   }

@@ -3,13 +3,19 @@
 #include <algorithm>
 #include <numbers>
 
+#include "core/checkpoint.hpp"
+
 namespace pathrace::algorithms {
 namespace {
 
+// Those of the first and the last cell of each row: their convex hull is that of all.
 std::vector<Point> corners(const Obstacle& cells) {
   std::vector<Point> points;
-  points.reserve(4 * cells.size());
-  for (const Cell cell : cells) {
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const Cell cell = cells[i];
+    const bool first = i == 0 || cells[i - 1].y != cell.y;
+    const bool last = i + 1 == cells.size() || cells[i + 1].y != cell.y;
+    if (!first && !last) continue;
     for (const double dy : {-0.5, 0.5}) {
       for (const double dx : {-0.5, 0.5}) points.push_back({cell.x + dx, cell.y + dy});
     }
@@ -36,6 +42,7 @@ std::pair<Obstacle, Obstacle> halves(const Obstacle& cells) {
 
 void cover_into(std::vector<Circle>& circles, const Obstacle& cells, const CoverSettings& settings, int depth,
                 const Stream& order) {
+  checkpoint();
   const Circle circle = smallest_enclosing_circle(corners(cells), order);
   const double area = std::numbers::pi * circle.radius * circle.radius;
   const bool tight = area <= settings.area_ratio * static_cast<double>(cells.size());

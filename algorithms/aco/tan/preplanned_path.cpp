@@ -6,6 +6,8 @@
 #include <limits>
 #include <optional>
 
+#include "core/checkpoint.hpp"
+
 namespace pathrace::algorithms {
 namespace {
 
@@ -92,6 +94,7 @@ std::vector<Point> preplanned_path(Point start, Point goal, const std::vector<Ci
     const Reference line(path.back(), goal);
     const std::optional<std::size_t> next = nearest_in_the_way(sets, used, line);
     if (!next) break;
+    checkpoint();
     used[*next] = 1;
     path.push_back(straightest_centre(sets[*next], line));
   }

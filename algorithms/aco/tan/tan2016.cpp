@@ -18,6 +18,7 @@
 
 #include "algorithms/aco/colony.hpp"
 #include "algorithms/aco/dead_ends.hpp"
+#include "core/checkpoint.hpp"
 
 namespace pathrace::algorithms {
 namespace {
@@ -67,7 +68,9 @@ class Tan2016 final : public PheromoneRule {
     even_ = colony.trail().pheromone(nest.start(), 0);
     environment_ = environment_of(problem_, settings_.cover(), settings_.field(even_));
     const std::vector<double>& tau0 = environment_.pheromone;
+    Pace pace;
     for (std::size_t index = 0; index < nest.size(); ++index) {
+      pace.step();
       for (int d = 0; d < direction_count; ++d) {
         if ((nest.moves()[index] >> d & 1) == 0) continue;
         const double target = tau0[nest.moves().step(index, d)];
