@@ -8,16 +8,20 @@
 namespace pathrace::reference {
 namespace {
 
-// The whole part of the length. The double is off by one at most, and then 2 d^2 tells.
 std::size_t bucket_of(std::int64_t straight, std::int64_t diagonal) {
-  const std::int64_t square = 2 * diagonal * diagonal;
-  auto whole = static_cast<std::int64_t>(static_cast<double>(diagonal) * std::numbers::sqrt2);
-  if (whole * whole > square) --whole;
-  if ((whole + 1) * (whole + 1) <= square) ++whole;
-  return static_cast<std::size_t>(straight + whole);
+  return static_cast<std::size_t>(whole_part({straight, diagonal}));
 }
 
 }  // namespace
+
+// The double is off by one at most, and then 2 d^2 tells.
+std::int64_t whole_part(LatticeLength length) {
+  const std::int64_t square = 2 * length.diagonal * length.diagonal;
+  auto whole = static_cast<std::int64_t>(static_cast<double>(length.diagonal) * std::numbers::sqrt2);
+  if (whole * whole > square) --whole;
+  if ((whole + 1) * (whole + 1) <= square) ++whole;
+  return length.straight + whole;
+}
 
 DistanceField::DistanceField(const Terrain& terrain, Cell source, std::optional<Cell> target)
     : grid_(*terrain.grid),

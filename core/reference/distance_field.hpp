@@ -17,6 +17,9 @@
 
 namespace pathrace::reference {
 
+/// The length rounded down, exactly. Neither count is negative or above 2^30.
+std::int64_t whole_part(LatticeLength length);
+
 class DistanceField {
  public:
   /// Searches from the free cell `source`, through the whole map or until `target` is final.

@@ -4,10 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <initializer_list>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "baselines/grid/bucket_queue.hpp"
+#include "baselines/grid/jump_point_search.hpp"
 #include "baselines/grid/one_to_all.hpp"
 #include "baselines/grid/ring_cost.hpp"
 #include "baselines/grid/wide_bucket_queue.hpp"
@@ -137,6 +140,69 @@ TEST(OneToAll, MeasuresTheOraclesDistances) {
   }
 }
 
+Answer ask(MapPlanner& planner, const Question& question) {
+  Meter meter({});
+  const std::unique_ptr<Executor> executor = bench::make_executor("serial", 1);
+  Context context{Stream(1), *executor, meter};
+  return planner.plan(question.start, question.goal, context);
+}
+
+// What large maps are searched with, on small ones.
+TEST(LargeRing, SearchesFindTheOraclesOptimum) {
+  for (std::uint64_t i = 0; i < 60; ++i) {
+    const Question question = random_question(Stream(79).fork(i), 14, 0.5);
+    for (const MoveRule rule : all_rules) {
+      const Terrain terrain = terrain_of(question.grid, rule);
+      const auto optimum = oracle_optimum(question.grid, rule, question.start, question.goal);
+      baselines::GridSearch<baselines::ZeroDistance, baselines::LargeRing> dijkstra(terrain);
+      baselines::JumpPointSearch<baselines::LargeRing> jps(terrain);
+      for (MapPlanner* const planner : std::initializer_list<MapPlanner*>{&dijkstra, &jps}) {
+        const Answer answer = ask(*planner, question);
+        ASSERT_EQ(answer.has_value(), optimum.has_value()) << i << ' ' << name(rule);
+        if (!answer) continue;
+        const Judgement judgement = Referee(terrain).judge(*answer, question.start, question.goal);
+        ASSERT_TRUE(judgement.legal()) << judgement.fault;
+        ASSERT_EQ(judgement.metrics->lattice, optimum) << i << ' ' << name(rule);
+      }
+    }
+  }
+}
+
+// 64 - 4 - 54 = 6 bits of generation: after 63 queries the nodes are wiped.
+TEST(LargeRing, AnswersAnyNumberOfQueries) {
+  const Question question{OccupancyGrid(9, 7), {0, 0}, {8, 6}};
+  const Terrain terrain = terrain_of(question.grid);
+  baselines::GridSearch<baselines::OctileDistance, baselines::LargeRing> search(terrain);
+  for (int i = 0; i < 200; ++i) {
+    const Answer answer = ask(search, question);
+    ASSERT_TRUE(answer.has_value()) << i;
+    ASSERT_EQ(answer->points.size(), 9U) << i;
+  }
+}
+
+TEST(LargeRing, GivesBackTheCountsOfSteps) {
+  using baselines::LargeRing;
+  for (const LatticeLength length :
+       {LatticeLength{0, 0}, {1, 0}, {0, 1}, {16'000'000, 70'000'000}, {3, 89'000'000}, {134'217'728, 0}}) {
+    const auto cost = static_cast<baselines::RingCost>(length.straight) * LargeRing::straight +
+                      static_cast<baselines::RingCost>(length.diagonal) * LargeRing::diagonal;
+    EXPECT_LT(cost, baselines::RingCost{1} << LargeRing::cost_bits);
+    EXPECT_EQ(baselines::lattice_length<LargeRing>(cost), length);
+  }
+}
+
+// Pell's numbers give the closest ties there are, up to the greatest counts of a map of 2^24 cells and more.
+TEST(LargeRing, OrdersLikeTheExactLengthsEvenWhenTheyNearlyTie) {
+  using baselines::LargeRing;
+  const std::pair<baselines::RingCost, baselines::RingCost> nearly_equal[] = {
+      {1393, 985}, {3'880'899, 2'744'210}, {22'619'537, 15'994'428}, {54'608'393, 38'613'965}};
+  for (const auto& [straight, diagonal] : nearly_equal) {
+    const bool straight_is_longer = straight * straight > 2 * diagonal * diagonal;
+    EXPECT_EQ(straight * LargeRing::straight > diagonal * LargeRing::diagonal, straight_is_longer);
+    EXPECT_NE(straight * LargeRing::straight, diagonal * LargeRing::diagonal);
+  }
+}
+
 TEST(RingCost, GivesBackTheCountsOfSteps) {
   for (const LatticeLength length : {LatticeLength{0, 0},
                                      {1, 0},
@@ -195,16 +261,16 @@ void expect_order(Queue& queue, baselines::RingCost rise, bool (*more)(Queue&)) 
 }
 
 TEST(BucketQueue, ReturnsCostsInOrderUpToTheBucketsWidth) {
-  baselines::BucketQueue queue;
-  expect_order<baselines::BucketQueue>(queue, 2 * baselines::diagonal_cost,
-                                       [](baselines::BucketQueue& q) { return q.advance(); });
+  baselines::BucketQueue<> queue;
+  expect_order<baselines::BucketQueue<>>(queue, 2 * baselines::diagonal_cost,
+                                         [](baselines::BucketQueue<>& q) { return q.advance(); });
 }
 
 TEST(WideBucketQueue, ReturnsCostsInOrderUpToTheBucketsWidth) {
   const baselines::RingCost rise = 500 * baselines::diagonal_cost;
-  baselines::WideBucketQueue queue(rise);
-  expect_order<baselines::WideBucketQueue>(queue, rise,
-                                           [](baselines::WideBucketQueue& q) { return !q.empty(); });
+  baselines::WideBucketQueue<> queue(rise);
+  expect_order<baselines::WideBucketQueue<>>(queue, rise,
+                                             [](baselines::WideBucketQueue<>& q) { return !q.empty(); });
 }
 
 }  // namespace

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <new>
 #include <stdexcept>
 
+#include "core/checkpoint.hpp"
 #include "core/error.hpp"
 #include "tests/support/trials.hpp"
 
@@ -32,8 +34,52 @@ TrialRecord trial_of(PlanFunction plan, Budget budget = {}, bool deterministic =
   return run_trial(entrant, scenario, Referee(scenario.terrain), budget, Stream(1), *executor);
 }
 
+TrialRecord trial_with_set_up(const std::function<void()>& set_up, const Budget& budget) {
+  PlannerCard card;
+  card.name = "test";
+  card = without_parameters(std::move(card), [set_up](const Terrain& terrain) {
+    set_up();
+    return unprepared([](const Problem&, Context&) -> Answer { return std::nullopt; })(terrain);
+  });
+  const Entrant entrant{&card, {}, "test"};
+  const auto executor = make_executor("serial", 1);
+  const Scenario& scenario = open_square();
+  return run_trial(entrant, scenario, Referee(scenario.terrain), budget, Stream(1), *executor);
+}
+
 Answer right_answer(const Problem&, Context&) {
   return lattice_path({{0, 0}, {1, 1}});
+}
+
+TEST(Trial, SetUpThatRunsOutOfTimeIsCutAtACheckpoint) {
+  Budget budget;
+  budget.wall_s = 0;
+  const TrialRecord record = trial_with_set_up([] { checkpoint(); }, budget);
+  EXPECT_EQ(record.verdict, Verdict::budget);
+  EXPECT_TRUE(record.timed);
+  EXPECT_FALSE(record.answer.has_value());
+  EXPECT_EQ(record.work, Work{});
+}
+
+TEST(Trial, EachPlannerIsOverAtOnceWithoutTime) {
+  Budget budget;
+  budget.wall_s = 0;
+  for (const std::string& call : testing::calls_under_test()) {
+    const TrialRecord record = testing::run({call, budget}, open_square());
+    EXPECT_EQ(record.verdict, Verdict::budget) << call << ": " << record.note;
+    EXPECT_TRUE(record.timed) << call;
+  }
+}
+
+TEST(Trial, IsNoRecordOnceTheProcessIsAskedToStop) {
+  stop_requested.store(true);
+  EXPECT_THROW(trial_with_set_up([] { checkpoint(); }, {}), Interrupted);
+  const auto asks = [](const Problem& problem, Context& context) {
+    return context.meter.exhausted() ? std::nullopt : right_answer(problem, context);
+  };
+  EXPECT_THROW(trial_of(asks), Interrupted);
+  EXPECT_EQ(trial_of(right_answer).verdict, Verdict::solved);  // nobody was told to end
+  stop_requested.store(false);
 }
 
 TEST(Trial, ALegalPathIsSolvedAndMeasured) {
