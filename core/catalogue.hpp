@@ -44,6 +44,7 @@ struct PlannerCard {
   std::string source;            ///< paper and equations, or the section of the specification
   Budget default_budget;         ///< used when none is given; the paper's, where it states one
   std::vector<ParameterCard> parameters;
+  std::vector<ConditionCard> conditions;  ///< on several parameters at once
   /// Every parameter in canonical spelling, given values over the defaults. Throws InputError.
   std::function<ParameterValues(const ParameterValues&)> complete;
   /// The planner with these settings; empty for navigators. Throws InputError.
@@ -64,6 +65,7 @@ struct PlannerCard {
 template <typename Settings, typename Factory>
 PlannerCard with_parameters(PlannerCard card, const Schema<Settings>& schema, Factory factory) {
   card.parameters = schema.cards();
+  card.conditions = schema.conditions();
   card.complete = [schema](const ParameterValues& given) { return schema.print(schema.settings(given)); };
   card.make = [schema, factory](const ParameterValues& given) -> Planner {
     return factory(schema.settings(given));
@@ -77,6 +79,7 @@ template <typename Settings, typename Factory>
 PlannerCard with_navigator_parameters(PlannerCard card, const Schema<Settings>& schema, Factory factory) {
   card.track = Track::dynamic;
   card.parameters = schema.cards();
+  card.conditions = schema.conditions();
   card.complete = [schema](const ParameterValues& given) { return schema.print(schema.settings(given)); };
   card.make_navigator = [schema, factory](const ParameterValues& given) -> NavigatorMaker {
     return [settings = schema.settings(given), factory]() -> std::unique_ptr<Navigator> {

@@ -53,4 +53,12 @@ void require_known(const ParameterValues& given, const std::vector<ParameterCard
   }
 }
 
+void refuse(const ConditionCard& condition, const ParameterValues& complete) {
+  std::string values;
+  for (const std::string& name : condition.parameters) {
+    values += fmt::format("{}{}={}", values.empty() ? "" : " and ", name, complete.at(name));
+  }
+  throw InputError(fmt::format("{} contradict each other: {}", values, condition.rule));
+}
+
 }  // namespace pathrace

@@ -8,6 +8,8 @@
 //       integer("ants", &Settings::ants, 1, 100000, "ants", Source::field, "m, ants per iteration"),
 //       choice("dead_end", &Settings::dead_end, Source::inferred, "what an ant does when it is stuck"),
 //   }}
+//
+// Values that are each in range may still contradict each other; a schema's conditions say which ones do.
 #pragma once
 
 #include <array>
@@ -47,6 +49,12 @@ struct ParameterCard {
   std::string unit;   ///< empty when it has none
   Source source = Source::ours;
   std::string meaning;
+};
+
+/// What the catalogue prints about a condition on several parameters.
+struct ConditionCard {
+  std::vector<std::string> parameters;  ///< the names that it ties together
+  std::string rule;                     ///< "waypoints_min must be at most waypoints_max"
 };
 
 /// Given values by name, as text.
@@ -125,14 +133,48 @@ requires std::is_enum_v<Enum> Field<Settings> choice(std::string name, Enum Sett
   return field;
 }
 
+/// A rule that settings keep, whatever their single values.
+template <typename Settings>
+struct Condition {
+  ConditionCard card;
+  std::function<bool(const Settings&)> holds;
+};
+
+/// `low` must be at most `high`.
+template <typename Settings, typename Number>
+Condition<Settings> at_most(const std::string& low, Number Settings::*low_member, const std::string& high,
+                            Number Settings::*high_member) {
+  return {{{low, high}, low + " must be at most " + high},
+          [=](const Settings& settings) { return settings.*low_member <= settings.*high_member; }};
+}
+
 /// Throws InputError when a given name is no field; names the nearest match.
 void require_known(const ParameterValues& given, const std::vector<ParameterCard>& cards);
+
+/// Throws InputError that names the condition's parameters with their values, which `complete` holds.
+[[noreturn]] void refuse(const ConditionCard& condition, const ParameterValues& complete);
+
+template <typename Settings>
+void require_conditions(const std::vector<Condition<Settings>>& conditions, const Settings& settings,
+                        const ParameterValues& complete) {
+  for (const Condition<Settings>& condition : conditions) {
+    if (!condition.holds(settings)) refuse(condition.card, complete);
+  }
+}
+
+template <typename Settings>
+std::vector<ConditionCard> cards_of(const std::vector<Condition<Settings>>& conditions) {
+  std::vector<ConditionCard> cards;
+  for (const Condition<Settings>& condition : conditions) cards.push_back(condition.card);
+  return cards;
+}
 
 template <typename Settings>
 class Schema {
  public:
   // NOLINTNEXTLINE(google-explicit-constructor): a list of fields is a schema
-  Schema(std::vector<Field<Settings>> fields) : fields_(std::move(fields)) {}
+  Schema(std::vector<Field<Settings>> fields, std::vector<Condition<Settings>> conditions = {})
+      : fields_(std::move(fields)), conditions_(std::move(conditions)) {}
 
   std::vector<ParameterCard> cards() const {
     std::vector<ParameterCard> cards;
@@ -143,7 +185,10 @@ class Schema {
     return cards;
   }
 
-  /// Settings with the given values over the defaults. Throws InputError for an unknown name or a bad value.
+  std::vector<ConditionCard> conditions() const { return cards_of(conditions_); }
+
+  /// Settings with the given values over the defaults. Throws InputError for an unknown name, a bad value or
+  /// values that contradict each other.
   Settings settings(const ParameterValues& given) const {
     require_known(given, cards());
     Settings settings;
@@ -151,6 +196,7 @@ class Schema {
       const auto value = given.find(field.card.name);
       if (value != given.end()) field.read(settings, value->second);
     }
+    require_conditions(conditions_, settings, print(settings));
     return settings;
   }
 
@@ -163,6 +209,7 @@ class Schema {
 
  private:
   std::vector<Field<Settings>> fields_;
+  std::vector<Condition<Settings>> conditions_;
 };
 
 }  // namespace pathrace

@@ -37,15 +37,16 @@ struct ColonySettings {
 /// The fields of ColonySettings.
 const std::vector<Field<ColonySettings>>& colony_fields();
 
-/// The common fields, then the variant's own.
+/// The common fields, then the variant's own, and its conditions.
 template <typename Settings>
-Schema<Settings> colony_schema(std::vector<Field<Settings>> own = {}) {
+Schema<Settings> colony_schema(std::vector<Field<Settings>> own = {},
+                               std::vector<Condition<Settings>> conditions = {}) {
   std::vector<Field<Settings>> fields;
   for (const Field<ColonySettings>& field : colony_fields()) {
     fields.push_back({field.card, field.read, field.print});
   }
   for (Field<Settings>& field : own) fields.push_back(std::move(field));
-  return fields;
+  return {std::move(fields), std::move(conditions)};
 }
 
 }  // namespace pathrace::algorithms

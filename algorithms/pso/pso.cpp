@@ -14,8 +14,6 @@
 // One particle judged = one evaluation, one cell tested = one check. Particle i of iteration k of life l
 // draws from stream.fork(l).fork(k).fork(i). Counters of the record: `lives`, swarms born; `clear`, particles
 // judged that entered no wall.
-#include <fmt/format.h>
-
 #include <memory>
 #include <optional>
 #include <vector>
@@ -169,10 +167,6 @@ class ParticleSwarm final : public MapPlanner {
 };
 
 Planner planner_of(const PsoSettings& settings) {
-  if (settings.waypoints_max < settings.waypoints_min) {
-    throw InputError(fmt::format("waypoints_max={} is below waypoints_min={}", settings.waypoints_max,
-                                 settings.waypoints_min));
-  }
   return [settings](const Terrain& terrain) -> std::unique_ptr<MapPlanner> {
     return std::make_unique<ParticleSwarm>(settings, terrain);
   };
@@ -202,7 +196,8 @@ Schema<PsoSettings> pso_schema() {
        {"c2", Source::literature},
        {"particles", Source::inferred},
        {"v_max", Source::inferred},
-       {"topology", Source::field}});
+       {"topology", Source::field}},
+      {at_most("waypoints_min", &S::waypoints_min, "waypoints_max", &S::waypoints_max)});
 }
 
 }  // namespace

@@ -41,11 +41,11 @@ struct SwarmSettings {
 /// The fields of SwarmSettings.
 const std::vector<Field<SwarmSettings>>& swarm_fields();
 
-/// The common fields, then the planner's own. `sources` names the origin of defaults that the planner
-/// changes.
+/// The common fields, then the planner's own, and its conditions. `sources` names the origin of defaults that
+/// the planner changes.
 template <typename Settings>
-Schema<Settings> swarm_schema(std::vector<Field<Settings>> own,
-                              const std::map<std::string, Source>& sources) {
+Schema<Settings> swarm_schema(std::vector<Field<Settings>> own, const std::map<std::string, Source>& sources,
+                              std::vector<Condition<Settings>> conditions = {}) {
   std::vector<Field<Settings>> fields;
   for (const Field<SwarmSettings>& field : swarm_fields()) {
     fields.push_back({field.card, field.read, field.print});
@@ -53,7 +53,7 @@ Schema<Settings> swarm_schema(std::vector<Field<Settings>> own,
     if (source != sources.end()) fields.back().card.source = source->second;
   }
   for (Field<Settings>& field : own) fields.push_back(std::move(field));
-  return fields;
+  return {std::move(fields), std::move(conditions)};
 }
 
 /// v := scale * (inertia * v + c1 r1 (pbest - x) + c2 r2 (gbest - x)).

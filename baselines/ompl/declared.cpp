@@ -8,6 +8,8 @@
 #include <optional>
 #include <utility>
 
+#include "baselines/ompl/constraints.hpp"
+
 namespace pathrace::baselines {
 namespace {
 
@@ -42,7 +44,7 @@ DeclaredParameter integer_of(const ob::GenericParamPtr& parameter, const std::st
 std::optional<DeclaredParameter> real_of(const ob::GenericParamPtr& parameter, const std::string& name) {
   const double value = std::strtod(parameter->getValue().c_str(), nullptr);
   if (!std::isfinite(value)) return std::nullopt;
-  const auto [first, last] = suggested_range(parameter->getRangeSuggestion());
+  const auto [first, last] = accepted_range(name).value_or(suggested_range(parameter->getRangeSuggestion()));
   const double low = std::min(first, value);
   const double high = std::max(last, value);
   return DeclaredParameter{

@@ -18,7 +18,8 @@ struct DeclaredParameter {
   std::function<std::string(std::string_view)> canonical;
 };
 
-/// Numbers and switches. The range is the one that the library suggests, widened to hold the default.
+/// Numbers and switches. The range is the one that the library suggests, cut to what it accepts and widened
+/// to hold the default.
 std::vector<DeclaredParameter> declared_parameters(const ompl::base::ParamSet& parameters);
 
 }  // namespace pathrace::baselines

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "baselines/ompl/constraints.hpp"
 #include "baselines/ompl/declared.hpp"
 #include "baselines/ompl/plane.hpp"
 #include "baselines/ompl/race.hpp"
@@ -32,6 +33,7 @@ class Parameters {
     Meter meter{Budget{}};
     Inspector inspector(grid, meter);
     declared_ = declared_parameters(entry.make(inspected_plane(inspector))->params());
+    conditions_ = conditions_on(declared_);
   }
 
   std::vector<ParameterCard> cards() const {
@@ -43,6 +45,8 @@ class Parameters {
     }
     return cards;
   }
+
+  std::vector<ConditionCard> conditions() const { return cards_of(conditions_); }
 
   OmplSettings settings(const ParameterValues& given) const {
     return adapter_schema().settings(split(given).first);
@@ -67,6 +71,7 @@ class Parameters {
     for (const DeclaredParameter& parameter : declared_) {
       values[parameter.card.name] = parameter.canonical(planners.at(parameter.card.name));
     }
+    require_conditions(conditions_, values, values);
     return values;
   }
 
@@ -87,6 +92,7 @@ class Parameters {
 
   ParameterValues defaults_;
   std::vector<DeclaredParameter> declared_;
+  std::vector<Condition<ParameterValues>> conditions_;
 };
 
 }  // namespace
@@ -101,6 +107,7 @@ PlannerCard ompl_card(const OmplEntry& entry) {
   card.source = entry.source;
   card.default_budget.evaluations = 20'000;
   card.parameters = parameters->cards();
+  card.conditions = parameters->conditions();
   card.complete = [parameters](const ParameterValues& given) { return parameters->complete(given); };
   card.make = [parameters, make = entry.make](const ParameterValues& given) -> Planner {
     const OmplSettings settings = parameters->settings(given);

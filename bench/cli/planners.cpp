@@ -70,6 +70,10 @@ int describe_planner(const std::string& planner, bool json) {
     description["parameters"] = Json::array();
     for (const ParameterCard& parameter : card.parameters)
       description["parameters"].push_back(object_of(parameter));
+    description["conditions"] = Json::array();
+    for (const ConditionCard& condition : card.conditions) {
+      description["conditions"].push_back({{"parameters", condition.parameters}, {"rule", condition.rule}});
+    }
     fmt::print("{}\n", description.dump(2));
     return done;
   }
@@ -87,6 +91,8 @@ int describe_planner(const std::string& planner, bool json) {
                parameter.default_value, parameter.range, parameter.unit.empty() ? "" : " ", parameter.unit,
                name(parameter.source), "", parameter.meaning);
   }
+  if (!card.conditions.empty()) fmt::print("\nConditions\n");
+  for (const ConditionCard& condition : card.conditions) fmt::print("  {}\n", condition.rule);
   return done;
 }
 

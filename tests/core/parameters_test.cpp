@@ -130,6 +130,56 @@ TEST(Schema, ARealIsAFiniteNumberInItsRange) {
   EXPECT_EQ(schema().settings({{"alpha", "25e-1"}}).alpha, 2.5);
 }
 
+Schema<Settings> schema_with_conditions() {
+  return {{
+              integer("ants", &Settings::ants, 1, 100000, "ants", Source::field, "ants per iteration"),
+              real("alpha", &Settings::alpha, -2, 2.5, "", Source::paper, "weight of pheromone"),
+              boolean("both_ways", &Settings::both_ways, Source::seen, "deposit in both directions"),
+          },
+          {{{{"both_ways", "alpha"}, "both_ways needs a positive alpha"},
+            [](const Settings& settings) { return !settings.both_ways || settings.alpha > 0; }}}};
+}
+
+TEST(Schema, RefusesValuesThatContradictEachOtherAndNamesThem) {
+  const Schema<Settings> schema = schema_with_conditions();
+  EXPECT_EQ(refusal([&] {
+              schema.settings({{"alpha", "-1"}, {"both_ways", "true"}});
+            }),
+            "both_ways=true and alpha=-1 contradict each other: both_ways needs a positive alpha");
+  EXPECT_EQ(refusal([&] {
+              schema.settings({{"alpha", "0.0"}});
+            }),
+            "both_ways=true and alpha=0 contradict each other: both_ways needs a positive alpha");
+  EXPECT_EQ(schema.settings({{"alpha", "-1"}, {"both_ways", "false"}}).alpha, -1);
+}
+
+TEST(Schema, ShowsItsConditions) {
+  ASSERT_EQ(schema_with_conditions().conditions().size(), 1U);
+  EXPECT_EQ(schema_with_conditions().conditions()[0].rule, "both_ways needs a positive alpha");
+  EXPECT_EQ(schema_with_conditions().conditions()[0].parameters,
+            (std::vector<std::string>{"both_ways", "alpha"}));
+  EXPECT_TRUE(schema().conditions().empty());
+}
+
+TEST(Schema, ALeastValueMayEqualTheGreatestButNotExceedIt) {
+  struct Span {
+    int low = 3;
+    int high = 10;
+  };
+  const Schema<Span> schema{{integer("low", &Span::low, 1, 20, "", Source::ours, "least"),
+                             integer("high", &Span::high, 1, 20, "", Source::ours, "greatest")},
+                            {at_most("low", &Span::low, "high", &Span::high)}};
+  EXPECT_EQ(schema.settings({{"low", "10"}}).low, 10);
+  EXPECT_EQ(refusal([&] {
+              schema.settings({{"low", "11"}});
+            }),
+            "low=11 and high=10 contradict each other: low must be at most high");
+  EXPECT_EQ(refusal([&] {
+              schema.settings({{"high", "2"}});
+            }),
+            "low=3 and high=2 contradict each other: low must be at most high");
+}
+
 TEST(Schema, MinusZeroIsZero) {
   const Settings settings = schema().settings({{"alpha", "-0"}});
   EXPECT_FALSE(std::signbit(settings.alpha));
