@@ -100,8 +100,8 @@ int Entrant::version() const {
   return card->inner ? card->version + card->inner(values).version() - 1 : card->version;
 }
 
-bool Entrant::random() const {
-  return card->random || (card->inner && card->inner(values).random());
+bool Entrant::draws() const {
+  return card->random || (card->inner && card->inner(values).draws());
 }
 
 Catalogue::Catalogue(std::vector<PlannerCard> cards, std::vector<AbsentPlanner> absent)

@@ -115,7 +115,7 @@ struct Entrant {
   /// that is a parameter. 1 when both are 1.
   int version() const;
   /// True when the planner or one that is a parameter draws random numbers.
-  bool random() const;
+  bool draws() const;
 };
 
 /// A planner that this build lacks.

@@ -62,7 +62,7 @@ TrialRow make_row(const TrialKey& key, const Scenario& scenario, const Entrant& 
   row.note = record.note;
   row.track = entrant.card->track;
   row.rule = scenario.terrain.rule;
-  row.draws = entrant.random();
+  row.draws = entrant.draws();
   row.optimum = reference_length(scenario, row.track);
   if (record.verdict == Verdict::solved && record.metrics) copy_metrics(*record.metrics, scenario, row);
   if (scenario.world) copy_run(record, *scenario.world, row);

@@ -167,9 +167,7 @@ TEST(Pso, ALifeHasOneBirthAndItsMovesAndLivesGrowByAWaypoint) {
 }
 
 TEST(Pso, RefusesMoreWaypointsAtLeastThanAtMost) {
-  const Question question{OccupancyGrid(3, 3), {0, 0}, {2, 2}};
-  const Entrant entrant = bench::roster().enter(parse_call("pso:waypoints_min=5,waypoints_max=4"));
-  EXPECT_THROW(entrant.card->make(entrant.values), InputError);
+  EXPECT_THROW(bench::roster().enter(parse_call("pso:waypoints_min=5,waypoints_max=4")), InputError);
 }
 
 TEST(Pso, EveryInertiaRuleAndTopologyFindsAWay) {

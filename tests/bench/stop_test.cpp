@@ -80,8 +80,8 @@ INSTANTIATE_TEST_SUITE_P(
                       "name = \"pso\"", "name = \"dijkstra\"", "name = \"astar\"", "name = \"jps\"",
                       "name = \"theta-star\"", "name = \"any-angle-optimum\"", "name = \"random-walk\"",
                       "name = \"greedy\"", "name = \"replan(as)\"", "name = \"d-star-lite\""),
-    [](const auto& info) {
-      std::string name = info.param;
+    [](const auto& planner) {
+      std::string name = planner.param;
       name = name.substr(8, name.find('"', 8) - 8);
       for (char& c : name) {
         if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
