@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bench/features/feature.hpp"
+#include "core/checkpoint.hpp"
 
 namespace pathrace::bench {
 namespace {
@@ -24,6 +25,7 @@ class Pruning {
 
   std::int64_t removed_cells() {
     for (int y = 0; y < grid_.height(); ++y) {
+      checkpoint();
       for (int x = 0; x < grid_.width(); ++x) {
         const std::size_t cell = grid_.index({x, y});
         if (!grid_.blocked_at(cell)) remove_chain(cell);

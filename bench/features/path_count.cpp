@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/checkpoint.hpp"
+
 namespace pathrace::bench {
 namespace {
 
@@ -68,7 +70,9 @@ PathCount count_shortest_paths(const reference::DistanceField& field, const Occu
   const std::size_t target = grid.index(cell);
   const std::vector<std::uint32_t>& order = field.order();
   counts[order.front()] = {1, 0};
+  Pace pace;
   for (const std::uint32_t index : order) {
+    pace.step();
     if (index != order.front()) counts[index] = predecessors(field, counts, index);
     if (index == target) break;
   }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bench/features/feature.hpp"
+#include "core/checkpoint.hpp"
 
 namespace pathrace::bench {
 namespace {
@@ -30,7 +31,9 @@ class GreedyWalk {
     enter(grid_.index(start_));
     std::size_t longest = 0;
     std::size_t retreat = 0;
+    Pace pace;
     while (way_.back() != goal) {
+      pace.step();
       const int direction = nearest_to_goal(way_.back());
       if (direction >= 0) {
         retreat = 0;
