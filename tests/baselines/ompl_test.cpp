@@ -55,6 +55,18 @@ TEST(Ompl, ItsNamesAreKnownWithoutTheLibrary) {
   EXPECT_EQ(names, known);
 }
 
+// Nothing that they suspect to be a solution holds, and so little is looked at that the budget alone would
+// keep them busy for minutes.
+TEST(Ompl, LazyPlannersGiveUpOnABoxedStart) {
+  const Scenario boxed =
+      scenario_of({grid_of({".@...", "@@...", ".....", ".....", "....."}), {0, 0}, {4, 4}});
+  for (const char* const planner : {"ompl-lazy-rrt", "ompl-lazy-prm"}) {
+    const TrialRecord record = run({planner}, boxed);
+    EXPECT_EQ(record.verdict, Verdict::gave_up) << planner;
+    EXPECT_EQ(record.work.iterations, 20'000U) << planner;
+  }
+}
+
 std::vector<std::string> planners() {
   std::vector<std::string> names;
   for (const PlannerCard& card : baselines::ompl_cards()) names.push_back(card.name);
