@@ -204,7 +204,8 @@ TrialRecord run_once(const PlanCommand& command, const Entrant& entrant, Scenari
   overlays.emplace_back();
   const Referee referee(scenario.terrain);
   prove_reference(scenario, entrant.card->track, referee);
-  return run_trial(entrant, scenario, referee, budget, stream, *executor, command.draws() ? &overlays.back() : nullptr, &ticker);
+  return run_trial(entrant, scenario, referee, budget, stream, *executor,
+                   command.draws() ? &overlays.back() : nullptr, &ticker);
 }
 
 int plan_command(const PlanCommand& command) {

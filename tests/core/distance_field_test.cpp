@@ -48,14 +48,14 @@ TEST(DistanceField, ListsEachCellOnceAndItsPredecessorsBeforeIt) {
   }
 }
 
-// Pell's numbers: p^2 - 2 q^2 is 1 or -1, so that q sqrt 2 is just below or just above the integer p. From the
-// last of them a double's digits do not tell.
+// Pell's numbers: p^2 - 2 q^2 is 1 or -1, so that q sqrt 2 is just below or just above the integer p. From
+// the last of them a double's digits do not tell.
 TEST(DistanceField, RoundsLengthsDownExactly) {
   EXPECT_EQ(reference::whole_part({5, 0}), 5);
   EXPECT_EQ(reference::whole_part({0, 1}), 1);
   EXPECT_EQ(reference::whole_part({3, 2}), 5);
-  EXPECT_EQ(reference::whole_part({0, 2}), 2);   // 3^2 - 2 * 2^2 = 1
-  EXPECT_EQ(reference::whole_part({0, 5}), 7);   // 7^2 - 2 * 5^2 = -1
+  EXPECT_EQ(reference::whole_part({0, 2}), 2);  // 3^2 - 2 * 2^2 = 1
+  EXPECT_EQ(reference::whole_part({0, 5}), 7);  // 7^2 - 2 * 5^2 = -1
   EXPECT_EQ(reference::whole_part({0, 12}), 16);
   EXPECT_EQ(reference::whole_part({0, 15'994'428}), 22'619'536);
   EXPECT_EQ(reference::whole_part({7, 38'613'965}), 54'608'400);
