@@ -223,15 +223,23 @@ StoreIdentity read_identity(const SQLite::Database& database) {
   return identity;
 }
 
-void require_all_rows(const SQLite::Database& database) {
+std::uint64_t require_all_rows(const SQLite::Database& database, std::uint64_t noted) {
   // One statement, since a writer may append between two.
   SQLite::Statement select(database,
                            "SELECT value, (SELECT count(*) FROM trial) FROM meta WHERE name = 'recorded'");
   if (!select.executeStep()) throw InputError("table 'meta' has no 'recorded'");
   const std::string recorded = select.getColumn(0).getString();
-  const std::string rows = select.getColumn(1).getString();
-  if (rows == recorded) return;
-  throw AlteredStore(fmt::format("holds {} trials where {} were recorded", rows, recorded));
+  const auto rows = static_cast<std::uint64_t>(select.getColumn(1).getInt64());
+  if (std::to_string(rows) != recorded) {
+    throw AlteredStore(fmt::format("holds {} trials where {} were recorded", rows, recorded));
+  }
+  if (rows < noted) {
+    throw AlteredStore(fmt::format(
+        "holds {} trials where a killed run had recorded {}: put its results.db-wal back, or delete "
+        "results.db-lock to go on with what is left",
+        rows, noted));
+  }
+  return rows;
 }
 
 void count_recorded(SQLite::Database& database, std::size_t rows) {

@@ -25,8 +25,9 @@ SQLite::Database open_database(const std::filesystem::path& file, Access access)
 /// Throws SQLite::Exception or InputError.
 StoreIdentity read_identity(const SQLite::Database& database);
 
-/// Throws AlteredStore unless there are as many trials as were recorded. Throws SQLite::Exception.
-void require_all_rows(const SQLite::Database& database);
+/// Returns the number of trials. Throws AlteredStore unless it is the number that was recorded, and at least
+/// the number that the last writer noted (WriterLock). Throws SQLite::Exception.
+std::uint64_t require_all_rows(const SQLite::Database& database, std::uint64_t noted);
 /// Adds to the number of recorded trials; the caller opens and commits the transaction.
 void count_recorded(SQLite::Database& database, std::size_t rows);
 

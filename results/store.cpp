@@ -33,10 +33,13 @@ namespace fs = std::filesystem;
 class Store::Impl {
  public:
   Impl(fs::path where, std::unique_ptr<WriterLock> held, Access access)
-      : file(std::move(where)), lock(std::move(held)), database(open_database(file, access)) {
+      : file(std::move(where)),
+        lock(std::move(held)),
+        noted(WriterLock::noted(file)),
+        database(open_database(file, access)) {
     try {
       identity = read_identity(database);
-      require_all_rows(database);
+      rows = require_all_rows(database, noted);
       if (access == Access::append) {
         writer.emplace(database);
         describer.emplace(database);
@@ -85,8 +88,10 @@ class Store::Impl {
 
   const fs::path file;
   std::unique_ptr<WriterLock> lock;
+  const std::uint64_t noted;  // read before the rows are counted, since a writer may be at work
   SQLite::Database database;
   StoreIdentity identity;
+  std::uint64_t rows = 0;  // the writer's
   std::optional<RowWriter> writer;
   std::optional<ScenarioWriter> describer;
 
@@ -151,6 +156,10 @@ Store Store::open(const fs::path& file, Access access) {
   return Store(std::make_unique<Impl>(file, std::make_unique<WriterLock>(file), access));
 }
 
+std::string sqlite_version() {
+  return SQLite::getLibVersion();
+}
+
 const fs::path& Store::file() const {
   return impl_->file;
 }
@@ -163,6 +172,8 @@ void Store::append(const std::vector<TrialRow>& rows) {
     for (const TrialRow& row : rows) impl_->writer->write(row);
     count_recorded(impl_->database, rows.size());
   });
+  impl_->rows += rows.size();
+  impl_->lock->note(impl_->rows);
 }
 
 void Store::describe(const std::vector<ScenarioRow>& rows) {

@@ -37,6 +37,9 @@ struct MachineFact {
   friend bool operator==(const MachineFact&, const MachineFact&) = default;
 };
 
+/// Of the library that reads and writes stores.
+std::string sqlite_version();
+
 enum class Access { read, append };
 
 /// Every reading function throws InputError when the file turns out to be damaged; it names the file and,

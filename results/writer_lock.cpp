@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <fstream>
 #include <system_error>
 
 #include "core/error.hpp"
@@ -15,7 +16,7 @@ namespace pathrace::results {
 namespace {
 
 int open_lock_file(const std::filesystem::path& file, const std::filesystem::path& store) {
-  const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
   if (descriptor < 0) {
     throw EnvironmentError(
         fmt::format("{}: cannot be written ({})", store.string(), std::generic_category().message(errno)));
@@ -46,6 +47,19 @@ WriterLock::WriterLock(const std::filesystem::path& store) : file_(store) {
     if (still_named(descriptor_, file_)) return;
     ::close(descriptor_);
   }
+}
+
+void WriterLock::note(std::uint64_t rows) const {
+  const std::string text = fmt::format("{:020}\n", rows);
+  static_cast<void>(::pwrite(descriptor_, text.data(), text.size(), 0) == 0);  // a witness, no more
+}
+
+std::uint64_t WriterLock::noted(const std::filesystem::path& store) {
+  std::filesystem::path file = store;
+  file += "-lock";
+  std::ifstream in(file);
+  std::uint64_t rows = 0;
+  return in >> rows ? rows : 0;
 }
 
 WriterLock::~WriterLock() {

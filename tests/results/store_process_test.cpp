@@ -13,6 +13,7 @@
 #include <exception>
 #include <stdexcept>
 
+#include "results/altered_store.hpp"
 #include "results/store.hpp"
 #include "tests/results/rows.hpp"
 
@@ -94,6 +95,36 @@ TEST(StoreProcesses, ReadWhatAnotherHasWrittenAndOutliveItsDeath) {
   const std::vector<TrialRow> rows = all_rows(store);
   ASSERT_EQ(rows.size(), 3U);
   for (std::uint64_t i = 0; i < 3; ++i) expect_same(rows[i], solved_row(i + 1, "a", "trap-u/20/1"));
+}
+
+TEST(StoreProcesses, MissTheRowsOfALogThatWasDeleted) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder / "results.db";
+  Pipe done;
+  Pipe next;
+  const pid_t writer = ::fork();
+  ASSERT_GE(writer, 0);
+  if (writer == 0) {
+    done.keep_writing_end();
+    next.keep_reading_end();
+    write_rows(file, done, next);
+  }
+  done.keep_reading_end();
+  next.keep_writing_end();
+  ASSERT_TRUE(done.wait());
+  ASSERT_TRUE(next.signal());
+  ASSERT_TRUE(done.wait());  // the first row's number is written down by now
+  ASSERT_EQ(::kill(writer, SIGKILL), 0);
+  int status = 0;
+  ASSERT_EQ(::waitpid(writer, &status, 0), writer);
+  ASSERT_TRUE(std::filesystem::remove(folder / "results.db-wal"));
+
+  for (const Access access : {Access::read, Access::append}) {
+    expect_line(message_of<AlteredStore>([&] { Store::open(file, access); }),
+                {file.string(), "0 trials", "results.db-wal", "results.db-lock"});
+  }
+  std::filesystem::remove(folder / "results.db-lock");
+  EXPECT_EQ(Store::open(file, Access::append).size(), 0U);
 }
 
 }  // namespace
