@@ -5,12 +5,13 @@
 
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <sstream>
 
+#include "bench/output_file.hpp"
 #include "bench/roster.hpp"
 #include "core/error.hpp"
 #include "results/leaderboard.hpp"
+#include "results/machine_csv.hpp"
 #include "results/scenarios_csv.hpp"
 #include "results/trials_csv.hpp"
 
@@ -23,13 +24,9 @@ namespace {
 // A long file is streamed, never held in memory.
 template <typename Write>
 void stream_file(const fs::path& file, const Write& write) {
-  const fs::path draft = file.string() + ".part";
-  std::ofstream out(draft, std::ios::binary | std::ios::trunc);
-  write(out);
-  out.close();
-  std::error_code error;
-  if (out) fs::rename(draft, file, error);
-  if (!out || error) throw EnvironmentError(fmt::format("{}: cannot be written", file.string()));
+  OutputFile out(file);
+  write(out.stream());
+  out.commit();
 }
 
 }  // namespace
@@ -57,17 +54,7 @@ void make_folder(const RunFolder& folder) {
 }
 
 void write_file(const fs::path& file, const std::string& text) {
-  const fs::path draft = file.string() + ".part";
-  {
-    std::ofstream out(draft, std::ios::binary | std::ios::trunc);
-    out << text;
-    out.close();
-    if (!out)
-      throw EnvironmentError(fmt::format("{}: cannot be written: {}", file.string(), std::strerror(errno)));
-  }
-  std::error_code error;
-  fs::rename(draft, file, error);
-  if (error) throw EnvironmentError(fmt::format("{}: cannot be written: {}", file.string(), error.message()));
+  stream_file(file, [&text](std::ostream& out) { out << text; });
 }
 
 results::Store open_store(const RunFolder& folder) {
@@ -84,6 +71,7 @@ void write_tables(const RunFolder& folder, const results::Store& store) {
   write_file(folder.leaderboard(), board.str());
   stream_file(folder.trials(), [&store](std::ostream& out) { results::write_trials_csv(out, store); });
   stream_file(folder.scenarios(), [&store](std::ostream& out) { results::write_scenarios_csv(out, store); });
+  stream_file(folder.machine(), [&store](std::ostream& out) { results::write_machine_csv(out, store); });
 }
 
 TrialPlan plan_of(const results::Store& store) {

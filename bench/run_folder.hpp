@@ -17,6 +17,7 @@ struct RunFolder {
   std::filesystem::path leaderboard() const { return path / "leaderboard.csv"; }
   std::filesystem::path trials() const { return path / "trials.csv"; }
   std::filesystem::path scenarios() const { return path / "scenarios.csv"; }
+  std::filesystem::path machine() const { return path / "machine.csv"; }
 };
 
 /// `runs/<campaign>-<n>` with the least n >= 1 that does not exist yet.
@@ -26,13 +27,13 @@ RunFolder next_free_folder(const std::string& campaign);
 /// written.
 void make_folder(const RunFolder& folder);
 
-/// Writes a whole file or leaves the old one: written beside it, then renamed. Throws EnvironmentError.
+/// Writes a whole file or leaves the old one (OutputFile). Throws EnvironmentError.
 void write_file(const std::filesystem::path& file, const std::string& text);
 
 /// The folder's store, for reading. Throws InputError when there is none.
 results::Store open_store(const RunFolder& folder);
 
-/// Writes leaderboard.csv, trials.csv and scenarios.csv from the store.
+/// Writes leaderboard.csv, trials.csv, scenarios.csv and machine.csv from the store.
 void write_tables(const RunFolder& folder, const results::Store& store);
 
 /// Everything a store says about its campaign, looked up again. Throws InputError when the maps are gone.
