@@ -8,6 +8,7 @@
 
 #include "bench/guarded.hpp"
 #include "bench/ticker.hpp"
+#include "bench/trial_surroundings.hpp"
 #include "core/checkpoint.hpp"
 #include "core/error.hpp"
 #include "core/hash.hpp"
@@ -145,10 +146,13 @@ TrialRecord run_dynamic_trial(const Entrant& entrant, const World& world, const 
   executor.restart_census();
   Run run(world, stream, executor, meter, watch);
   bool came_back = false;
-  executor.with_team([&] {
-    const TrialScope scope(meter);
-    came_back = call_navigator(entrant, run, record);
-  });
+  {
+    const TrialSurroundings surroundings(executor, record.costs);
+    executor.with_team([&] {
+      const TrialScope scope(meter);
+      came_back = call_navigator(entrant, run, record);
+    });
+  }
   if (meter.interrupted()) throw Interrupted();
   record.work = meter.work();
   record.trace = meter.trace();

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "bench/thread_probe.hpp"
 #include "core/error.hpp"
 #include "core/names.hpp"
 
@@ -33,7 +34,9 @@ std::unique_ptr<Executor> make_executor(std::string_view name, int threads) {
     throw InputError(fmt::format("threads must be 1 to {}, got {}", max_threads, threads));
   }
   for (const Entry& entry : entries) {
-    if (entry.name == name) return entry.make(threads);
+    if (entry.name != name) continue;
+    if (name != "serial") require_threads(threads - 1);
+    return entry.make(threads);
   }
   throw InputError(unknown_name("backend", name, executor_names()));
 }

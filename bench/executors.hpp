@@ -14,8 +14,8 @@ inline constexpr int max_threads = 256;
 
 /// An executor that may use `threads` threads, the caller included; more threads than cores are not an
 /// error, and are not reduced. Throws InputError for an unknown name or for threads outside
-/// 1..max_threads; EnvironmentError when the system refuses to start them, where the runtime lets us know
-/// (libgomp ends the process).
+/// 1..max_threads; EnvironmentError when the system refuses to start them at the same time
+/// (thread_probe.hpp).
 std::unique_ptr<Executor> make_executor(std::string_view name, int threads);
 
 /// What runs when nobody chooses: "tbb", unless the build says otherwise (PATHRACE_BACKEND).

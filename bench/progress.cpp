@@ -22,30 +22,29 @@ std::string print_duration(double seconds) {
   return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
 }
 
-Progress::Progress(std::size_t before, std::size_t total, double work_s)
+Progress::Progress(std::size_t before, std::size_t total)
     : before_(before),
       total_(total),
-      work_s_(work_s),
       terminal_(isatty(STDERR_FILENO) == 1),
       begin_(std::chrono::steady_clock::now()),
       next_plain_line_(begin_ + plain_interval) {}
 
-std::string Progress::line(std::size_t done, double worked_s) const {
+std::string Progress::line(std::size_t done) const {
   const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
   const std::size_t recorded = before_ + done;
   std::string text = fmt::format("{}/{} trials ({:.0f} %), {} gone", recorded, total_,
                                  100.0 * static_cast<double>(recorded) / static_cast<double>(total_),
                                  print_duration(elapsed));
-  if (worked_s > 0 && recorded < total_) {
-    const double left = elapsed / worked_s * std::max(0.0, work_s_ - worked_s);
+  if (done > 0 && recorded < total_) {
+    const double left = elapsed / static_cast<double>(done) * static_cast<double>(total_ - recorded);
     text += fmt::format(", about {} left", print_duration(left));
   }
   return text;
 }
 
-void Progress::update(std::size_t done, double worked_s) {
+void Progress::update(std::size_t done) {
   if (terminal_) {
-    fmt::print(stderr, "\r\x1b[K{}", line(done, worked_s));
+    fmt::print(stderr, "\r\x1b[K{}", line(done));
     std::fflush(stderr);
     open_ = true;
     return;
@@ -53,7 +52,7 @@ void Progress::update(std::size_t done, double worked_s) {
   const auto now = std::chrono::steady_clock::now();
   if (now < next_plain_line_) return;
   next_plain_line_ = now + plain_interval;
-  fmt::print(stderr, "{}\n", line(done, worked_s));
+  fmt::print(stderr, "{}\n", line(done));
 }
 
 void Progress::close() {

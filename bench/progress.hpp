@@ -12,20 +12,18 @@ std::string print_duration(double seconds);
 
 class Progress {
  public:
-  /// `before`: trials recorded by earlier runs, `total`: of the whole campaign; `work_s`: what this run's
-  /// trials are expected to take one after another, by which the time left is told.
-  Progress(std::size_t before, std::size_t total, double work_s);
-  /// `done`: trials recorded by this run; `worked_s`: what they were expected to take.
-  void update(std::size_t done, double worked_s);
+  /// `before`: trials recorded by earlier runs, `total`: of the whole campaign.
+  Progress(std::size_t before, std::size_t total);
+  /// `done`: trials recorded by this run; the time left is told by what they took on average.
+  void update(std::size_t done);
   /// Ends the renewing line.
   void close();
 
  private:
-  std::string line(std::size_t done, double worked_s) const;
+  std::string line(std::size_t done) const;
 
   std::size_t before_;
   std::size_t total_;
-  double work_s_;
   bool terminal_;
   std::chrono::steady_clock::time_point begin_;
   std::chrono::steady_clock::time_point next_plain_line_;

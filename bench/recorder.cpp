@@ -1,18 +1,29 @@
 #include "bench/recorder.hpp"
 
+#include <fmt/format.h>
+
 #include <chrono>
+#include <system_error>
 #include <utility>
+
+#include "core/error.hpp"
 
 namespace pathrace::bench {
 namespace {
 
-constexpr std::size_t batch_rows = 512;
 constexpr std::chrono::milliseconds batch_delay{500};
 
 }  // namespace
 
 Recorder::Recorder(results::Store& store, std::atomic<bool>& stop, std::function<void(std::size_t)> written)
-    : store_(store), stop_(stop), written_(std::move(written)), writer_([this] { write_batches(); }) {}
+    : store_(store), stop_(stop), written_(std::move(written)) {
+  try {
+    writer_ = std::thread([this] { write_batches(); });
+  } catch (const std::system_error& error) {
+    throw EnvironmentError(fmt::format("{}: the system refuses a thread to write it ({})",
+                                       store.file().string(), error.code().message()));
+  }
+}
 
 Recorder::~Recorder() {
   try {
@@ -24,7 +35,9 @@ Recorder::~Recorder() {
 void Recorder::add(results::TrialRow row) {
   std::size_t count = 0;
   {
-    const std::lock_guard lock(mutex_);
+    std::unique_lock lock(mutex_);
+    room_.wait(lock, [this] { return failed_ || waiting_.size() < most_waiting; });
+    if (failed_) return;
     waiting_.push_back(std::move(row));
     count = waiting_.size();
   }
@@ -41,6 +54,16 @@ void Recorder::finish() {
   if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
 }
 
+void Recorder::fail(std::exception_ptr failure) {
+  stop_.store(true);
+  {
+    const std::lock_guard lock(mutex_);
+    failure_ = std::move(failure);
+    failed_ = true;
+  }
+  room_.notify_all();
+}
+
 void Recorder::write_batches() {
   std::size_t total = 0;
   bool last = false;
@@ -52,12 +75,12 @@ void Recorder::write_batches() {
       batch.swap(waiting_);
       last = finished_;
     }
+    room_.notify_all();
     if (batch.empty()) continue;
     try {
       store_.append(batch);
     } catch (...) {
-      failure_ = std::current_exception();
-      stop_.store(true);
+      fail(std::current_exception());
       return;
     }
     total += batch.size();

@@ -79,29 +79,36 @@ class ExecutorShelf {
   std::vector<std::unique_ptr<Executor>> free_;
 };
 
+// Of threads that come and go between trials nobody can say whose processor time is whose.
+void add_neighbours(bool side_by_side, int threads, Costs& costs) {
+  if (!side_by_side) return;
+  costs.crowded = true;
+  if (threads > 1) costs.user_s = costs.system_s = std::nullopt;
+}
+
 }  // namespace
 
 void run_trials(const TrialPlan& plan, const std::vector<std::size_t>& trials, const RunOptions& options,
                 const std::atomic<bool>& stop, const Sink& sink) {
   std::vector<ScenarioDesk> desks(plan.scenarios.size());
   for (const std::size_t index : trials) {
-    const Trial& trial = plan.trials[index];
-    desks[trial.scenario].expect_one(plan.entrants[trial.entrant].card->track);
+    const TrialGroup& group = plan.group_of(index);
+    desks[group.scenario].expect_one(plan.entrants[group.entrant].card->track);
   }
   ExecutorShelf shelf(options.backend, options.threads);
   const std::unique_ptr<Executor> across = make_executor(options.backend, options.jobs);
-  const bool crowded = across->threads() > 1 && trials.size() > 1;
+  const bool side_by_side = across->threads() > 1 && trials.size() > 1;
   const auto run_one = [&](const Trial& trial) {
     ScenarioDesk& desk = desks[trial.scenario];
     const auto [scenario, referee] = desk.open(plan.scenarios[trial.scenario]);
     std::unique_ptr<Executor> executor = shelf.take();
     const Stream stream = root_stream(trial.key.seed, trial.key.scenario, trial.key.repetition);
-    TrialRecord record =
-        run_trial(plan.entrants[trial.entrant], *scenario, *referee, trial.budget, stream, *executor);
+    TrialRecord record = run_trial(plan.entrants[trial.entrant], *scenario, *referee, trial.budget, stream,
+                                   *executor, nullptr, nullptr, options.check_map);
     record.key = trial.hash;
     record.costs.backend = options.backend;
     record.costs.threads = options.threads;
-    record.costs.crowded = crowded;
+    add_neighbours(side_by_side, options.threads, record.costs);
     shelf.give_back(std::move(executor));
     sink(trial, *scenario, std::move(record));
     desk.close_one();
@@ -109,7 +116,7 @@ void run_trials(const TrialPlan& plan, const std::vector<std::size_t>& trials, c
   for_each_index(*across, trials.size(), 1, [&](std::size_t i) {
     if (stop.load(std::memory_order_relaxed)) return;
     try {
-      run_one(plan.trials[trials[i]]);
+      run_one(plan.trial(trials[i]));
     } catch (const Interrupted&) {  // not recorded; a resumed run runs it again
     }
   });

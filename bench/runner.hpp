@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/executors.hpp"
+#include "bench/map_loan.hpp"
 #include "bench/trial_plan.hpp"
 #include "core/record.hpp"
 
@@ -14,8 +15,9 @@ namespace pathrace::bench {
 
 struct RunOptions {
   std::string backend = default_backend();
-  int jobs = 1;     ///< trials side by side
-  int threads = 1;  ///< for each planner
+  int jobs = 1;                       ///< trials side by side
+  int threads = 1;                    ///< for each planner
+  bool check_map = maps_are_checked;  ///< whether a planner changes the map (MapLoan)
 };
 
 /// Called from several threads at once, in any order; `scenario` has what its trials' gaps

@@ -7,6 +7,7 @@
 #include "bench/dynamic_trial.hpp"
 #include "bench/guarded.hpp"
 #include "bench/ticker.hpp"
+#include "bench/trial_surroundings.hpp"
 #include "core/checkpoint.hpp"
 #include "core/error.hpp"
 #include "core/gap.hpp"
@@ -20,12 +21,13 @@ double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-void call_planner(const Entrant& entrant, const Scenario& scenario, Context& context, TrialRecord& record) {
+void call_planner(const Entrant& entrant, const Scenario& scenario, const Terrain& map, Context& context,
+                  TrialRecord& record) {
   const Clock::time_point begin = Clock::now();
   guarded(record, [&] {
     const TrialScope scope(context.meter);
     if (entrant.card->navigates()) throw Unsupported("navigates among moving discs; this map stands still");
-    const std::unique_ptr<MapPlanner> planner = entrant.card->make(entrant.values)(scenario.terrain);
+    const std::unique_ptr<MapPlanner> planner = entrant.card->make(entrant.values)(map);
     record.costs.setup_s = seconds_since(begin);
     record.answer = planner->plan(scenario.start, scenario.goal, context);
     record.verdict = Verdict::solved;
@@ -66,14 +68,18 @@ void judge(const Entrant& entrant, const Scenario& scenario, const Referee& refe
 
 TrialRecord run_trial(const Entrant& entrant, const Scenario& scenario, const Referee& referee,
                       const Budget& budget, const Stream& stream, Executor& executor, Overlay* overlay,
-                      Ticker* ticker) {
+                      Ticker* ticker, bool check_map) {
   if (scenario.world) return run_dynamic_trial(entrant, *scenario.world, budget, stream, executor);
   TrialRecord record;
   Meter meter(budget);
   const Ticker::Watch watch(ticker, meter);
   Context context{stream, executor, meter, overlay};
   executor.restart_census();
-  executor.with_team([&] { call_planner(entrant, scenario, context, record); });
+  const MapLoan loan(scenario.terrain, check_map);
+  {
+    const TrialSurroundings surroundings(executor, record.costs);
+    executor.with_team([&] { call_planner(entrant, scenario, loan.terrain(), context, record); });
+  }
   if (meter.interrupted()) throw Interrupted();
   record.work = meter.work();
   record.trace = meter.trace();
@@ -81,6 +87,11 @@ TrialRecord run_trial(const Entrant& entrant, const Scenario& scenario, const Re
   record.timed = meter.timed() || !entrant.card->deterministic;
   record.costs.threads_used = executor.threads_used();
   judge(entrant, scenario, referee, meter, record);
+  if (!loan.intact()) {
+    record.verdict = Verdict::invalid;
+    record.note = "the planner changed the map that it was lent";
+    record.metrics.reset();
+  }
   return record;
 }
 

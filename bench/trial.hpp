@@ -1,6 +1,7 @@
 // One trial: run a planner on a scenario, have the answer judged, write the record.
 #pragma once
 
+#include "bench/map_loan.hpp"
 #include "core/catalogue.hpp"
 #include "core/executor.hpp"
 #include "core/record.hpp"
@@ -14,9 +15,11 @@ class Ticker;
 /// Nothing a planner does comes out as an exception: it becomes the record's verdict. `key` and the costs
 /// that describe the executor are the caller's to fill in. `overlay`: for a picture of what the planner
 /// thinks. A legal path that beats what is proven about the scenario is `invalid`: somebody errs, and nobody
-/// shall win by it. Throws Interrupted when the process is asked to stop and the planner was cut by that.
+/// shall win by it. `check_map`: the planner gets a copy of the map, and is `invalid` when it changes that.
+/// Throws Interrupted when the process is asked to stop and the planner was cut by that.
 TrialRecord run_trial(const Entrant& entrant, const Scenario& scenario, const Referee& referee,
                       const Budget& budget, const Stream& stream, Executor& executor,
-                      Overlay* overlay = nullptr, Ticker* ticker = nullptr);
+                      Overlay* overlay = nullptr, Ticker* ticker = nullptr,
+                      bool check_map = maps_are_checked);
 
 }  // namespace pathrace::bench

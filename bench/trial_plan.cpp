@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "core/error.hpp"
 #include "core/hash.hpp"
@@ -56,6 +57,7 @@ class Planning {
           throw InputError(
               fmt::format("two planners are called '{}'; give one of them another label", entrant.label));
         }
+        plan_.calls.push_back(entrant.full_call());
         plan_.entrants.push_back(std::move(entrant));
       }
     }
@@ -72,7 +74,7 @@ class Planning {
         if (races(entrant, selection.scenario)) add_trials(selection.scenario, entrant, *selection.choice);
       }
     }
-    if (plan_.trials.empty())
+    if (plan_.groups.empty())
       throw InputError(fmt::format("campaign '{}' has no trials", plan_.campaign.name));
     return std::move(plan_);
   }
@@ -94,7 +96,7 @@ class Planning {
     }
     const std::size_t index = plan_.scenarios.size() - 1;
     index_of_[id] = index;
-    content_.push_back(content_hash(plan_.scenarios.back()));
+    plan_.contents.push_back(content_hash(plan_.scenarios.back()));
     (plan_.scenarios.back().world ? has_worlds_ : has_maps_) = true;
     return index;
   }
@@ -106,42 +108,47 @@ class Planning {
     return navigates == moves || !(navigates ? has_worlds_ : has_maps_);
   }
 
+  // An id selected twice runs once.
   void add_trials(std::size_t scenario, std::size_t entrant, const ScenarioChoice& choice) {
-    const PlannerCard& card = *plan_.entrants[entrant].card;
-    const Campaign& campaign = plan_.campaign;
-    Trial trial;
-    trial.scenario = scenario;
-    trial.entrant = entrant;
-    trial.budget = choice.budget ? *choice.budget : campaign.budget ? *campaign.budget : card.default_budget;
-    trial.key = {plan_.scenarios[scenario].id,
-                 content_[scenario],
-                 plan_.entrants[entrant].full_call(),
-                 plan_.entrants[entrant].version(),
-                 0,
-                 campaign.seed,
-                 work_hash(trial.budget)};
-    for (std::uint64_t repetition = 0; repetition < campaign.repetitions; ++repetition) {
-      trial.key.repetition = repetition;
-      trial.hash = trial.key.hash();
-      if (keys_.insert(trial.hash).second) plan_.trials.push_back(trial);  // an id selected twice runs once
-    }
+    const auto number = [](auto index) { return static_cast<std::uint32_t>(index); };
+    plan_.groups.push_back(
+        {number(scenario), number(entrant), number(&choice - plan_.campaign.scenarios.data())});
+    const bool is_new = keys_.insert(plan_.trial(plan_.size() - 1).hash).second;
+    if (!is_new) plan_.groups.pop_back();
   }
 
   const scenarios::Library& library_;
   TrialPlan plan_;
   std::unordered_map<std::string, std::size_t> index_of_;
-  std::vector<std::uint64_t> content_;
-  std::set<std::uint64_t> keys_;
+  std::unordered_set<std::uint64_t> keys_;  // of each group's last trial
   bool has_maps_ = false;
   bool has_worlds_ = false;
 };
 
 }  // namespace
 
+const Budget& TrialPlan::budget_of(const TrialGroup& group) const {
+  const ScenarioChoice& choice = campaign.scenarios[group.choice];
+  if (choice.budget) return *choice.budget;
+  return campaign.budget ? *campaign.budget : entrants[group.entrant].card->default_budget;
+}
+
+Trial TrialPlan::trial(std::size_t i) const {
+  const TrialGroup& group = group_of(i);
+  Trial trial{group.scenario, group.entrant, budget_of(group), {}, 0};
+  trial.key = {scenarios[group.scenario].id, contents[group.scenario],
+               calls[group.entrant],         entrants[group.entrant].version(),
+               i % campaign.repetitions,     campaign.seed,
+               work_hash(trial.budget)};
+  trial.hash = trial.key.hash();
+  return trial;
+}
+
 std::uint64_t TrialPlan::hash() const {
   Hasher hasher;
   hasher.add(std::string_view(campaign.name));
-  for (const Trial& trial : trials) {
+  for (std::size_t i = 0; i < size(); ++i) {
+    const Trial trial = this->trial(i);
     hasher.add(trial.hash).add(std::string_view(entrants[trial.entrant].label));
     hasher.add(trial.budget.wall_s.value_or(0));
   }

@@ -26,12 +26,27 @@ struct Trial {
   std::uint64_t hash = 0;  ///< of the key
 };
 
+/// The repetitions of one planner on one scenario, as indices into the plan.
+struct TrialGroup {
+  std::uint32_t scenario = 0;
+  std::uint32_t entrant = 0;
+  std::uint32_t choice = 0;  ///< into Campaign::scenarios
+};
+
 struct TrialPlan {
   Campaign campaign;
   std::vector<Scenario> scenarios;
   std::vector<Entrant> entrants;
-  std::vector<Trial> trials;
-  std::vector<std::string> left_out;  ///< recorded queries that cannot be scenarios, and why
+  std::vector<TrialGroup> groups;
+  std::vector<std::uint64_t> contents;  ///< content hashes of the scenarios
+  std::vector<std::string> calls;       ///< full calls of the entrants
+  std::vector<std::string> left_out;    ///< recorded queries that cannot be scenarios, and why
+
+  /// Trials; trial i is of group i / repetitions. They are made when asked for: a million need no memory.
+  std::size_t size() const { return groups.size() * campaign.repetitions; }
+  Trial trial(std::size_t i) const;
+  const TrialGroup& group_of(std::size_t i) const { return groups[i / campaign.repetitions]; }
+  const Budget& budget_of(const TrialGroup& group) const;
 
   /// Names the whole plan: a store belongs to exactly one.
   std::uint64_t hash() const;

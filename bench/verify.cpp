@@ -109,7 +109,7 @@ std::uint64_t fingerprint(const TrialRow& row) {
 class Verifier {
  public:
   Verifier(const TrialPlan& plan, Verification& result) : plan_(plan), result_(result) {
-    for (std::size_t i = 0; i < plan.trials.size(); ++i) trial_of_[plan.trials[i].hash] = i;
+    for (std::size_t i = 0; i < plan.size(); ++i) trial_of_[plan.trial(i).hash] = i;
   }
 
   void read(const results::Store& store) {
@@ -124,7 +124,7 @@ class Verifier {
                       fmt::format("digest {} does not fit the stored path, work and trace, which give {}",
                                   hex(row.digest), hex(own)));
       }
-      if (row.timed || !plan_.entrants[plan_.trials[trial->second].entrant].card->deterministic) {
+      if (row.timed || !plan_.entrants[plan_.group_of(trial->second).entrant].card->deterministic) {
         ++result_.skipped;
         return;
       }

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <new>
+#include <system_error>
 #include <vector>
 
 #include "bench/cli/command.hpp"
@@ -90,6 +91,8 @@ int run(int argc, const char* const* argv) {
   } catch (const EnvironmentError& error) {
     return complain(error.what(), environment_failed);
   } catch (const std::filesystem::filesystem_error& error) {
+    return complain(error.what(), environment_failed);
+  } catch (const std::system_error& error) {
     return complain(error.what(), environment_failed);
   } catch (const std::bad_alloc&) {
     return complain("out of memory", environment_failed);

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "bench/executors.hpp"
+#include "bench/thread_probe.hpp"
 #include "core/error.hpp"
 #include "core/names.hpp"
 
@@ -63,6 +64,8 @@ void add_executor_options(CLI::App& command, RunOptions& options, bool jobs) {
       .add_option("--backend", options.backend,
                   fmt::format("serial, openmp, tbb or threads (default: {})", default_backend()))
       ->type_name("NAME");
+  command.add_flag("--check-map", options.check_map,
+                   "give each planner a copy of the map, and call it invalid when it changes that");
 }
 
 void require_backend(const RunOptions& options) {
@@ -70,6 +73,7 @@ void require_backend(const RunOptions& options) {
   if (std::find(known.begin(), known.end(), options.backend) == known.end()) {
     throw InputError(unknown_name("backend", options.backend, known));
   }
+  if (options.backend != "serial") require_threads(options.jobs * options.threads);
 }
 
 void add_budget_options(CLI::App& command, Budget& budget) {

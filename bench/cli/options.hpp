@@ -13,11 +13,12 @@
 
 namespace pathrace::bench::cli {
 
-/// --backend, --threads, and --jobs when `jobs` is true; defaults: the build's (tbb), 1 thread, as many jobs
-/// as cores.
+/// --backend, --threads, --check-map, and --jobs when `jobs` is true; defaults: the build's (tbb), 1 thread,
+/// as many jobs as cores.
 void add_executor_options(CLI::App& command, RunOptions& options, bool jobs);
 
-/// Throws InputError for an unknown backend; names the nearest match.
+/// Throws InputError for an unknown backend, naming the nearest match; EnvironmentError when the system does
+/// not grant as many threads as all jobs together need.
 void require_backend(const RunOptions& options);
 
 /// --evaluations, --iterations, --checks, --wall. Any of them replaces the planner's default budget whole.

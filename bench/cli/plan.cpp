@@ -132,6 +132,11 @@ void print_summary(const results::TrialRow& row, bool moves) {
              row.work.iterations, row.work.checks);
   fmt::print("time         {:.3f} ms ({}, {} of {} threads seen running)\n", 1000 * row.costs.wall_s,
              row.costs.backend, row.costs.threads_used, row.costs.threads);
+  if (row.costs.user_s && row.costs.system_s) {
+    fmt::print("processors   {:.3f} ms user, {:.3f} ms system{}\n", 1000 * *row.costs.user_s,
+               1000 * *row.costs.system_s,
+               row.costs.crowded ? "; the machine was busy with something else" : "");
+  }
   fmt::print("digest       {}\n", hex(row.digest));
 }
 
@@ -205,7 +210,7 @@ TrialRecord run_once(const PlanCommand& command, const Entrant& entrant, Scenari
   const Referee referee(scenario.terrain);
   prove_reference(scenario, entrant.card->track, referee);
   return run_trial(entrant, scenario, referee, budget, stream, *executor,
-                   command.draws() ? &overlays.back() : nullptr, &ticker);
+                   command.draws() ? &overlays.back() : nullptr, &ticker, command.options.check_map);
 }
 
 int plan_command(const PlanCommand& command) {

@@ -5,12 +5,11 @@
 #include <atomic>
 #include <iostream>
 #include <memory>
-#include <numeric>
 
 #include "bench/cli/command.hpp"
 #include "bench/cli/options.hpp"
 #include "bench/describe.hpp"
-#include "bench/estimate.hpp"
+#include "bench/machine.hpp"
 #include "bench/progress.hpp"
 #include "bench/recorder.hpp"
 #include "bench/roster.hpp"
@@ -52,7 +51,7 @@ Campaign chosen_campaign(const RunCommand& command, const RunFolder& folder) {
                     command.file, command.builtin));
   }
   if (!command.file.empty()) return read_campaign(command.file);
-  if (command.builtin.empty() && command.resume && has_store(folder)) {  // go on with what the folder holds
+  if (command.builtin.empty() && command.resume) {  // go on with what the folder holds
     return parse_campaign(open_store(folder).identity().toml, folder.store().string());
   }
   Campaign campaign = builtin_campaign(command.builtin.empty() ? "starter" : command.builtin);
@@ -104,7 +103,7 @@ TrialPlan make_plan(const RunCommand& command, const RunFolder& folder) {
 
 results::Store open_or_create(const RunCommand& command, const RunFolder& folder, const TrialPlan& plan) {
   const results::StoreIdentity identity{plan.campaign.name, to_toml(plan.campaign), plan.hash(),
-                                        plan.campaign.seed, plan.trials.size()};
+                                        plan.campaign.seed, plan.size()};
   if (!has_store(folder)) {
     write_file(folder.campaign(), identity.toml);
     return results::Store::create(folder.store(), identity);
@@ -124,39 +123,33 @@ results::Store open_or_create(const RunCommand& command, const RunFolder& folder
   return store;
 }
 
-std::vector<std::size_t> missing_trials(const TrialPlan& plan, const results::Store* store) {
+std::vector<std::size_t> missing_trials(const TrialPlan& plan, const results::Store& store) {
   std::vector<std::size_t> missing;
-  const auto recorded = store != nullptr ? store->keys() : std::unordered_set<std::uint64_t>{};
-  for (std::size_t i = 0; i < plan.trials.size(); ++i) {
-    if (recorded.find(plan.trials[i].hash) == recorded.end()) missing.push_back(i);
+  const std::unordered_set<std::uint64_t> recorded = store.keys();
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    if (recorded.find(plan.trial(i).hash) == recorded.end()) missing.push_back(i);
   }
   return missing;
 }
 
-std::string announcement(const TrialPlan& plan, const std::vector<std::size_t>& missing,
-                         const Estimate& estimate, const RunOptions& options) {
-  const std::size_t recorded = plan.trials.size() - missing.size();
-  return fmt::format("{}: {} trials ({} planners, {} scenarios){}; about {} with {} job{} of {} thread{}",
-                     plan.campaign.name, plan.trials.size(), plan.entrants.size(), plan.scenarios.size(),
-                     recorded > 0 ? fmt::format(", {} recorded already", recorded) : "",
-                     print_duration(estimate.wall_s), options.jobs, options.jobs == 1 ? "" : "s",
-                     options.threads, options.threads == 1 ? "" : "s");
+std::string announcement(const TrialPlan& plan, std::size_t recorded, const RunOptions& options) {
+  return fmt::format("{}: {} trials ({} planners, {} scenarios){}; {} job{} of {} thread{}",
+                     plan.campaign.name, plan.size(), plan.entrants.size(), plan.scenarios.size(),
+                     recorded > 0 ? fmt::format(", {} recorded already", recorded) : "", options.jobs,
+                     options.jobs == 1 ? "" : "s", options.threads, options.threads == 1 ? "" : "s");
 }
 
-void race(const TrialPlan& plan, const std::vector<std::size_t>& missing, const Estimate& estimate,
-          const RunOptions& options, results::Store& store) {
-  std::vector<double> expected_s(plan.trials.size());
-  for (std::size_t i = 0; i < missing.size(); ++i) expected_s[missing[i]] = estimate.trial_s[i];
-  Progress progress(plan.trials.size() - missing.size(), plan.trials.size(),
-                    std::accumulate(expected_s.begin(), expected_s.end(), 0.0));
-  std::atomic<double> worked_s{0};
-  Recorder recorder(store, stop_requested,
-                    [&](std::size_t done_count) { progress.update(done_count, worked_s.load()); });
+void race(const TrialPlan& plan, const std::vector<std::size_t>& missing, const RunOptions& options,
+          results::Store& store) {
+  const int session = store.begin_session(machine_facts());
+  Progress progress(plan.size() - missing.size(), plan.size());
+  Recorder recorder(store, stop_requested, [&](std::size_t done_count) { progress.update(done_count); });
   run_trials(plan, missing, options, stop_requested,
              [&](const Trial& trial, const Scenario& scenario, const TrialRecord& record) {
-               worked_s.fetch_add(expected_s[static_cast<std::size_t>(&trial - plan.trials.data())]);
-               recorder.add(results::make_row(trial.key, scenario, plan.entrants[trial.entrant], trial.budget,
-                                              record));
+               results::TrialRow row =
+                   results::make_row(trial.key, scenario, plan.entrants[trial.entrant], trial.budget, record);
+               row.session = session;
+               recorder.add(std::move(row));
              });
   recorder.finish();
   progress.close();
@@ -166,12 +159,11 @@ void describe_and_race(const RunCommand& command, const TrialPlan& plan,
                        const std::vector<std::size_t>& missing, results::Store& store) {
   store_scenarios(plan, !command.no_features, command.options, stop_requested, store);
   if (missing.empty()) {
-    say(fmt::format("{}: all {} trials are recorded already", plan.campaign.name, plan.trials.size()));
+    say(fmt::format("{}: all {} trials are recorded already", plan.campaign.name, plan.size()));
     return;
   }
-  const Estimate estimate = estimate_time(plan, missing, command.options);
-  say(announcement(plan, missing, estimate, command.options));
-  race(plan, missing, estimate, command.options, store);
+  say(announcement(plan, plan.size() - missing.size(), command.options));
+  race(plan, missing, command.options, store);
 }
 
 int run_command(const RunCommand& command) {
@@ -179,16 +171,19 @@ int run_command(const RunCommand& command) {
   RunFolder folder{command.out};
   if (command.out.empty() && command.resume)
     throw InputError("--resume needs the folder to go on with: --out DIR");
+  if (command.resume && !has_store(folder)) {
+    throw InputError(
+        fmt::format("{}: holds no results.db to go on with; begin without --resume", folder.path.string()));
+  }
   const TrialPlan plan = make_plan(command, folder);
   if (command.dry_run) {
-    const std::vector<std::size_t> all = missing_trials(plan, nullptr);
-    fmt::print("{}\n", announcement(plan, all, estimate_time(plan, all, command.options), command.options));
+    fmt::print("{}\n", announcement(plan, 0, command.options));
     return done;
   }
   if (command.out.empty()) folder = next_free_folder(plan.campaign.name);
   make_folder(folder);
   results::Store store = open_or_create(command, folder, plan);
-  const std::vector<std::size_t> missing = missing_trials(plan, &store);
+  const std::vector<std::size_t> missing = missing_trials(plan, store);
   stop_on_signals();
   try {
     describe_and_race(command, plan, missing, store);
@@ -197,7 +192,7 @@ int run_command(const RunCommand& command) {
   write_tables(folder, store);
   if (stop_requested.load()) {
     say(fmt::format("interrupted; {} of {} trials are recorded: go on with --resume --out {}", store.size(),
-                    plan.trials.size(), folder.path.string()));
+                    plan.size(), folder.path.string()));
     return interrupted;
   }
   results::print_console(std::cout, results::leaderboard(store, results::Grouping::all));
@@ -233,7 +228,7 @@ void add_run(CLI::App& app) {
   options->add_flag("--no-features", command->no_features,
                     "leave the scenarios' features out of results.db and scenarios.csv");
   options->add_flag("--dry-run", command->dry_run,
-                    "print the number of trials and the expected time, run nothing");
+                    "print the numbers of trials, planners and scenarios, run nothing");
 }
 
 }  // namespace pathrace::bench::cli

@@ -29,8 +29,8 @@ int compare_rows(const VerifyCommand& command) {
   }
   const Verification result = verify(store, plan, command.sample, command.options);
   for (const std::string& difference : result.differences) fmt::print("{}\n", difference);
-  fmt::print("{} of {} planned trials recorded, {} run again, {} skipped: {}\n", result.rows,
-             plan.trials.size(), result.rerun, result.skipped,
+  fmt::print("{} of {} planned trials recorded, {} run again, {} skipped: {}\n", result.rows, plan.size(),
+             result.rerun, result.skipped,
              result.differences.empty() ? "all equal" : fmt::format("{} differ", result.differences.size()));
   return result.differences.empty() ? done : something_found;
 }

@@ -1,11 +1,14 @@
 #include "bench/executors/chunks.hpp"
 
+#include "bench/float_environment.hpp"
+
 namespace pathrace::bench {
 
 void Chunks::run_body(std::size_t k) {
   const std::size_t begin = k * grain_;
   const std::size_t end = count_ - begin < grain_ ? count_ : begin + grain_;
   census_.note();
+  const DefaultFloatsInChunk floats;
   body_(begin, end);
 }
 

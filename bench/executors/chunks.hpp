@@ -1,7 +1,8 @@
 // One call of Executor::run, cut into chunks that any thread may run in any order.
 //
 // Chunk k is [k * grain, min((k + 1) * grain, count)). When bodies throw, the exception of the lowest
-// chunk comes out, whoever ran it and whenever: a failure skips only the chunks above it.
+// chunk comes out, whoever ran it and whenever: a failure skips only the chunks above it. Each chunk computes
+// in the default floating-point environment.
 #pragma once
 
 #include <atomic>

@@ -94,22 +94,22 @@ TEST(Campaign, AListOfValuesIsOnePlannerPerValue) {
   EXPECT_EQ(plan.entrants[0].label, "as:ants=20,beta=2.5,dead_end=backtrack");
   EXPECT_EQ(plan.entrants[1].label, "as:beta=2.5,dead_end=backtrack");  // 50 ants are the default
   EXPECT_EQ(plan.entrants[2].label, "A star");
-  EXPECT_EQ(plan.trials.size(), 3U * 3 * (3 + 2 + 1));  // planners, repetitions, scenarios
+  EXPECT_EQ(plan.size(), 3U * 3 * (3 + 2 + 1));  // planners, repetitions, scenarios
 }
 
 TEST(Campaign, BudgetsOfScenariosReplaceTheCampaigns) {
   const TrialPlan plan = plan_of_text(complete);
-  EXPECT_EQ(plan.trials.front().budget.evaluations, 500U);
-  EXPECT_FALSE(plan.trials.back().budget.evaluations.has_value());
-  EXPECT_EQ(plan.trials.back().budget.checks, 1000U);
+  EXPECT_EQ(plan.trial(0).budget.evaluations, 500U);
+  EXPECT_FALSE(plan.trial(plan.size() - 1).budget.evaluations.has_value());
+  EXPECT_EQ(plan.trial(plan.size() - 1).budget.checks, 1000U);
 }
 
 TEST(Campaign, ExpandsInTheOrderScenarioPlannerRepetition) {
   const TrialPlan plan = plan_of_text(complete);
-  EXPECT_EQ(plan.trials[0].key.repetition, 0U);
-  EXPECT_EQ(plan.trials[2].key.repetition, 2U);
-  EXPECT_EQ(plan.trials[3].entrant, 1U);
-  EXPECT_EQ(plan.trials[9].scenario, 1U);
+  EXPECT_EQ(plan.trial(0).key.repetition, 0U);
+  EXPECT_EQ(plan.trial(2).key.repetition, 2U);
+  EXPECT_EQ(plan.trial(3).entrant, 1U);
+  EXPECT_EQ(plan.trial(9).scenario, 1U);
 }
 
 TEST(Campaign, AScenarioSelectedTwiceRunsOnce) {
@@ -117,7 +117,7 @@ TEST(Campaign, AScenarioSelectedTwiceRunsOnce) {
 planner = [{ name = "astar" }]
 scenarios = [{ select = ["asr/fig2", "asr/*"] }]
 )";
-  EXPECT_EQ(plan_of_text(twice).trials.size(), 3U);
+  EXPECT_EQ(plan_of_text(twice).size(), 3U);
 }
 
 TEST(Campaign, WallLimitsDoNotNameATrial) {
@@ -127,8 +127,8 @@ TEST(Campaign, WallLimitsDoNotNameATrial) {
   const TrialPlan a = plan_of_text(head + "budget = { checks = 10, wall_s = 1 }\n");
   const TrialPlan b = plan_of_text(head + "budget = { checks = 10, wall_s = 2 }\n");
   const TrialPlan c = plan_of_text(head + "budget = { checks = 11, wall_s = 1 }\n");
-  EXPECT_EQ(a.trials[0].hash, b.trials[0].hash);
-  EXPECT_NE(a.trials[0].hash, c.trials[0].hash);
+  EXPECT_EQ(a.trial(0).hash, b.trial(0).hash);
+  EXPECT_NE(a.trial(0).hash, c.trial(0).hash);
 }
 
 struct Fault {

@@ -189,7 +189,8 @@ std::vector<std::string> pairs(const std::string& planners, const std::string& s
   text += "[[scenarios]]\nselect = [" + select + "]\n";
   const TrialPlan plan = plan_trials(parse_campaign(text, "x.toml"), scenarios::Library(), roster());
   std::vector<std::string> found;
-  for (const Trial& trial : plan.trials) {
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    const Trial trial = plan.trial(i);
     found.push_back(plan.entrants[trial.entrant].label + " " + plan.scenarios[trial.scenario].id);
   }
   return found;

@@ -114,7 +114,7 @@ select = ["trap-u/20/1..4", "dense/20-20/1..8", "asr/*"]
 
 TEST(Reference, IsTheSameOnEveryExecutorAndForAllTrialsOfAScenario) {
   const TrialPlan plan = plan_trials(parse_campaign(both_tracks, "test"), scenarios::Library(), roster());
-  std::vector<std::size_t> trials(plan.trials.size());
+  std::vector<std::size_t> trials(plan.size());
   std::iota(trials.begin(), trials.end(), std::size_t{0});
   const std::atomic<bool> never{false};
   std::map<std::string, double> expected;

@@ -43,7 +43,10 @@ Catalogue roster_with(int astar, int replan) {
 std::map<std::string, std::uint64_t> keys(const Catalogue& catalogue) {
   const TrialPlan plan = plan_trials(parse_campaign(campaign, "x.toml"), scenarios::Library(), catalogue);
   std::map<std::string, std::uint64_t> keys;
-  for (const Trial& trial : plan.trials) keys[plan.entrants[trial.entrant].label] = trial.hash;
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    const Trial trial = plan.trial(i);
+    keys[plan.entrants[trial.entrant].label] = trial.hash;
+  }
   return keys;
 }
 

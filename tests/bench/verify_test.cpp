@@ -2,6 +2,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
 
+#include "tests/bench/command_line.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/trials.hpp"
 
@@ -81,6 +82,26 @@ TEST_F(Verify, NamesTheRowWhoseLengthWasAltered) {
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_NE(result.out.find(key), std::string::npos) << result.out;
   EXPECT_NE(result.out.find("length"), std::string::npos) << result.out;
+}
+
+TEST_F(Verify, NamesARowWhoseTimeWasAlteredAndNobodyElseShowsIt) {
+  const std::string key = alter("UPDATE trial SET wall_s = wall_s / 2 WHERE key = ?");
+  const Finished result = verify({"--sample", "1"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.out.find(key), std::string::npos) << result.out;
+  expect_refusal(pathrace({"leaderboard", folder()}), {"results.db", key, "changed"});
+  expect_refusal(pathrace({"digest", folder()}), {"results.db", key, "changed"});
+  expect_refusal(pathrace({"run", "--resume", "--out", folder()}), {"results.db", key, "changed"});
+}
+
+TEST_F(Verify, MissesARowThatWasRemoved) {
+  alter("DELETE FROM trial WHERE key = ?");
+  const Finished result = verify();
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.out.find("463 trials where 464 were recorded"), std::string::npos) << result.out;
+  expect_refusal(pathrace({"leaderboard", folder()}), {"results.db", "463", "464"});
+  expect_refusal(pathrace({"digest", folder()}), {"results.db", "463", "464"});
+  expect_refusal(pathrace({"run", "--resume", "--out", folder()}), {"results.db", "463", "464"});
 }
 
 TEST_F(Verify, NamesARowThatBelongsToNoTrial) {

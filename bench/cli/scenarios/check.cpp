@@ -67,7 +67,7 @@ int check_file(const std::filesystem::path& file, const MapFileOptions& map) {
     const Campaign campaign = read_campaign(file);
     const scenarios::Library library(campaign.maps ? campaign.maps : maps_folder(""));
     const TrialPlan plan = plan_trials(campaign, library, roster());
-    fmt::print("{}: a campaign of {} trials, {} planners, {} scenarios\n", file.string(), plan.trials.size(),
+    fmt::print("{}: a campaign of {} trials, {} planners, {} scenarios\n", file.string(), plan.size(),
                plan.entrants.size(), plan.scenarios.size());
     return done;
   }
