@@ -58,7 +58,8 @@ void refuse(const ConditionCard& condition, const ParameterValues& complete) {
   for (const std::string& name : condition.parameters) {
     values += fmt::format("{}{}={}", values.empty() ? "" : " and ", name, complete.at(name));
   }
-  throw InputError(fmt::format("{} contradict each other: {}", values, condition.rule));
+  const char* const verb = condition.parameters.size() > 1 ? " contradict each other" : "";
+  throw InputError(fmt::format("{}{}: {}", values, verb, condition.rule));
 }
 
 }  // namespace pathrace

@@ -34,35 +34,43 @@ namespace {
 using S = Xie2010Settings;
 
 Schema<S> schema() {
-  return {{
-      integer("population", &S::population, 1, 100000, "individuals", Source::paper,
-              "children per generation as well"),
-      real("crossover_rate", &S::crossover_rate, 0, 1, "", Source::paper, "Pc, chance per pair of parents"),
-      real("mutation_rate", &S::mutation_rate, 0, 1, "", Source::paper, "Pm, chance per child"),
-      integer("tournament", &S::tournament, 1, 1000, "individuals", Source::field,
-              "how many are drawn, with replacement, for the fittest to be a parent"),
-      boolean("elitism", &S::elitism, Source::paper,
-              "the fittest parent, if it is a path, takes the place of a less fit child"),
-      choice("first_generation", &S::first_generation, Source::paper,
-             "raw: judged with its gaps, behind every path; repaired: its gaps are filled first"),
-      integer("initial_genes", &S::initial_genes, 0, 1 << 18, "cells", Source::inferred,
-              "most cells between start and goal of a random chromosome; 0: all free cells of the map"),
-      choice("crossover", &S::crossover, Source::inferred,
-             "common: cut at a cell that both parents visit, where there is one; free: anywhere"),
-      choice(
-          "mutation", &S::mutation, Source::paper,
-          "replace: a random cell for one cell; stretch (ours): a random stretch of the path is drawn anew"),
-      choice("insertion", &S::insertion, Source::paper,
-             "faithful: right, lower right, down, never past the next gene; blind: past it too; general: "
-             "towards the next gene"),
-      choice("repair", &S::repair, Source::ours,
-             "where general insertion is blocked: none, the individual is deleted; local_search, the nearest "
-             "way out"),
-      integer("reach", &S::reach, 1, 1 << 24, "cells", Source::ours,
-              "most cells that one local search expands"),
-      integer("refills", &S::refills, 0, 1'000'000, "individuals", Source::inferred,
-              "fresh random ones tried for a deleted one, before a copy of the fittest takes its place"),
-  }};
+  return {
+      {
+          integer("population", &S::population, 1, 100000, "individuals", Source::paper,
+                  "children per generation as well"),
+          real("crossover_rate", &S::crossover_rate, 0, 1, "", Source::paper,
+               "Pc, chance per pair of parents"),
+          real("mutation_rate", &S::mutation_rate, 0, 1, "", Source::paper, "Pm, chance per child"),
+          integer("tournament", &S::tournament, 1, 1000, "individuals", Source::field,
+                  "how many are drawn, with replacement, for the fittest to be a parent"),
+          boolean("elitism", &S::elitism, Source::paper,
+                  "the fittest parent, if it is a path, takes the place of a less fit child"),
+          choice("first_generation", &S::first_generation, Source::paper,
+                 "raw: judged with its gaps, behind every path; repaired: its gaps are filled first"),
+          integer("initial_genes", &S::initial_genes, 0, 1 << 18, "cells", Source::inferred,
+                  "most cells between start and goal of a random chromosome; 0: all free cells of the map"),
+          choice("crossover", &S::crossover, Source::inferred,
+                 "common: cut at a cell that both parents visit, where there is one; free: anywhere"),
+          choice("mutation", &S::mutation, Source::paper,
+                 "replace: a random cell for one cell; stretch (ours): a random stretch of the path is drawn "
+                 "anew"),
+          choice("insertion", &S::insertion, Source::paper,
+                 "faithful: right, lower right, down, never past the next gene; blind: past it too; general: "
+                 "towards the next gene"),
+          choice("repair", &S::repair, Source::ours,
+                 "where general insertion is blocked: none, the individual is deleted; local_search, the "
+                 "nearest way out"),
+          integer("reach", &S::reach, 1, 1 << 24, "cells", Source::ours,
+                  "most cells that one local search expands"),
+          integer("refills", &S::refills, 0, 1'000'000, "individuals", Source::inferred,
+                  "fresh random ones tried for a deleted one, before a copy of the fittest takes its place"),
+      },
+      {
+          {{{"repair", "insertion"}, "repair = local_search needs insertion = general"},
+           [](const S& settings) {
+             return settings.repair == GapRepair::none || settings.insertion == Insertion::general;
+           }},
+      }};
 }
 
 // Start and goal in one cell: a chromosome of one gene.

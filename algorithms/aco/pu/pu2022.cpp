@@ -37,29 +37,35 @@ namespace {
 using S = Pu2022Settings;
 
 Schema<S> schema() {
-  return colony_schema<S>({
-      choice(
-          "dead_table", &S::dead_table, Source::paper,
-          "what becomes of cells that ants stepped back from (dead_end = backtrack): none, per_ant: nothing "
-          "beyond the ant's own list; global_literal: obstacles, as published; global_dominated: closed if "
-          "no "
-          "shortest way can need them"),
-      choice("update", &S::update, Source::paper,
-             "tiers: iteration's best and best so far, by Q1 and Q2; all_ants: as in Ant System"),
-      real("global_factor", &S::global_factor, 0, 1000, "", Source::paper, "Q2 / Q1; Q1 is `deposit`"),
-      boolean("others", &S::others, Source::inferred,
-              "whether the ants that are neither add Q1 / L, which the printed formula leaves out"),
-      integer("c_cap", &S::c_cap, 0, 1'000'000'000, "iterations", Source::inferred,
-              "largest c; 1: no accumulation; 0: none, the literal text, whose deposits grow for ever"),
-      boolean("simplify", &S::simplify, Source::paper,
-              "cut redundant corners off, where the move rule allows it"),
-      choice("teaching", &S::teaching, Source::inferred,
-             "paths: splices between ants; parameters: groups of ants learn alpha, beta, evaporation and Q"),
-      boolean("grouping", &S::grouping, Source::inferred,
-              "whether outstanding and average students are taught differently"),
-      integer("students", &S::students, 3, 1000, "groups", Source::inferred,
-              "teaching = parameters: groups of ants, besides one that tries the mean of the best three"),
-  });
+  return colony_schema<S>(
+      {
+          choice("dead_table", &S::dead_table, Source::paper,
+                 "what becomes of cells that ants stepped back from (dead_end = backtrack): none, per_ant: "
+                 "nothing beyond the ant's own list; global_literal: obstacles, as published; "
+                 "global_dominated: closed if no shortest way can need them"),
+          choice("update", &S::update, Source::paper,
+                 "tiers: iteration's best and best so far, by Q1 and Q2; all_ants: as in Ant System"),
+          real("global_factor", &S::global_factor, 0, 1000, "", Source::paper, "Q2 / Q1; Q1 is `deposit`"),
+          boolean("others", &S::others, Source::inferred,
+                  "whether the ants that are neither add Q1 / L, which the printed formula leaves out"),
+          integer("c_cap", &S::c_cap, 0, 1'000'000'000, "iterations", Source::inferred,
+                  "largest c; 1: no accumulation; 0: none, the literal text, whose deposits grow for ever"),
+          boolean("simplify", &S::simplify, Source::paper,
+                  "cut redundant corners off, where the move rule allows it"),
+          choice(
+              "teaching", &S::teaching, Source::inferred,
+              "paths: splices between ants; parameters: groups of ants learn alpha, beta, evaporation and Q"),
+          boolean("grouping", &S::grouping, Source::inferred,
+                  "whether outstanding and average students are taught differently"),
+          integer("students", &S::students, 3, 100, "groups", Source::inferred,
+                  "teaching = parameters: groups of ants, besides one that tries the mean of the best three"),
+      },
+      {
+          {{{"teaching", "students", "ants"}, "teaching = parameters needs more ants than students"},
+           [](const S& settings) {
+             return settings.teaching != Teaching::parameters || settings.ants > settings.students;
+           }},
+      });
 }
 
 class Pu2022 : public PheromoneRule {
