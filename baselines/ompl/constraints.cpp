@@ -1,7 +1,6 @@
 #include "baselines/ompl/constraints.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <string>
 
@@ -12,13 +11,6 @@ using Range = std::pair<double, double>;
 using Rule = Condition<ParameterValues>;
 
 constexpr double least_share = 1e-6;  // where the library wants more than 0
-
-// As setup() of KPIECE, BKPIECE and LBKPIECE checks them.
-constexpr auto accepted_ranges = std::to_array<std::pair<std::string_view, Range>>({
-    {"border_fraction", {least_share, 1}},
-    {"failed_expansion_score_factor", {least_share, 1}},
-    {"min_valid_path_fraction", {least_share, 1}},
-});
 
 bool on(const ParameterValues& values, const std::string& name) {
   return values.at(name) == "true";
@@ -60,7 +52,9 @@ const std::vector<Rule>& rules() {
        [](const ParameterValues& values) {
          return !on(values, "drop_unconnected_samples_on_prune") || on(values, "use_graph_pruning");
        }},
-      exclusive("use_just_in_time_sampling", "use_k_nearest"),
+      // The library takes it only once use_k_nearest is off, which is set after it, and goes on without it.
+      {{{"use_just_in_time_sampling"}, "use_just_in_time_sampling is not supported"},
+       [](const ParameterValues& values) { return !on(values, "use_just_in_time_sampling"); }},
       ascending("min_degree", "degree"),
       ascending("degree", "max_degree"),
       ascending("dense_delta_fraction", "sparse_delta_fraction"),
@@ -75,11 +69,12 @@ bool declares(const std::vector<DeclaredParameter>& declared, const std::string&
 
 }  // namespace
 
-std::optional<Range> accepted_range(std::string_view parameter) {
-  for (const auto& [name, range] : accepted_ranges) {
-    if (name == parameter) return range;
-  }
-  return std::nullopt;
+// KPIECE, BKPIECE and LBKPIECE, which alone have a border, look for shares in (0, 1] in setup().
+std::optional<Range> accepted_range(const ompl::base::ParamSet& parameters, std::string_view name) {
+  const bool is_share = name == "border_fraction" || name == "failed_expansion_score_factor" ||
+                        name == "min_valid_path_fraction";
+  if (!is_share || !parameters.hasParam("border_fraction")) return std::nullopt;
+  return Range{least_share, 1};
 }
 
 std::vector<Rule> conditions_on(const std::vector<DeclaredParameter>& declared) {

@@ -11,8 +11,10 @@
 
 namespace pathrace::baselines {
 
-/// The values of a parameter that the library accepts, first and last, where it suggests others too.
-std::optional<std::pair<double, double>> accepted_range(std::string_view parameter);
+/// The values of a number that the planner with these parameters accepts, first and last, where the library
+/// suggests others too.
+std::optional<std::pair<double, double>> accepted_range(const ompl::base::ParamSet& parameters,
+                                                        std::string_view name);
 
 /// The conditions all of whose parameters are declared. They read every declared value, in canonical
 /// spelling.

@@ -15,10 +15,12 @@ namespace {
 
 namespace ob = ompl::base;
 
+using Range = std::pair<double, double>;  // first and last
+
 constexpr double widest = 1e6;  // of a parameter without a suggested range
 
 // "first:last" or "first:step:last".
-std::pair<double, double> suggested_range(const std::string& text) {
+Range suggested_range(const std::string& text) {
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos) return {0, widest};
   return {std::strtod(text.c_str(), nullptr), std::strtod(text.c_str() + text.rfind(':') + 1, nullptr)};
@@ -41,10 +43,11 @@ DeclaredParameter integer_of(const ob::GenericParamPtr& parameter, const std::st
 }
 
 // Infinity has no spelling in a campaign file; a parameter that starts there stays there.
-std::optional<DeclaredParameter> real_of(const ob::GenericParamPtr& parameter, const std::string& name) {
+std::optional<DeclaredParameter> real_of(const ob::GenericParamPtr& parameter, const std::string& name,
+                                         const std::optional<Range>& accepted) {
   const double value = std::strtod(parameter->getValue().c_str(), nullptr);
   if (!std::isfinite(value)) return std::nullopt;
-  const auto [first, last] = accepted_range(name).value_or(suggested_range(parameter->getRangeSuggestion()));
+  const auto [first, last] = accepted.value_or(suggested_range(parameter->getRangeSuggestion()));
   const double low = std::min(first, value);
   const double high = std::max(last, value);
   return DeclaredParameter{
@@ -58,10 +61,11 @@ bool is_one_of(const ob::GenericParamPtr& parameter) {
   return ((dynamic_cast<const ob::SpecificParam<Types>*>(parameter.get()) != nullptr) || ...);
 }
 
-std::optional<DeclaredParameter> read(const std::string& name, const ob::GenericParamPtr& parameter) {
+std::optional<DeclaredParameter> read(const std::string& name, const ob::GenericParamPtr& parameter,
+                                      const std::optional<Range>& accepted) {
   if (is_one_of<bool>(parameter)) return switch_of(parameter, name);
   if (is_one_of<int, long, unsigned, unsigned long>(parameter)) return integer_of(parameter, name);
-  if (is_one_of<double, float>(parameter)) return real_of(parameter, name);
+  if (is_one_of<double, float>(parameter)) return real_of(parameter, name, accepted);
   return std::nullopt;
 }
 
@@ -70,7 +74,7 @@ std::optional<DeclaredParameter> read(const std::string& name, const ob::Generic
 std::vector<DeclaredParameter> declared_parameters(const ob::ParamSet& parameters) {
   std::vector<DeclaredParameter> declared;
   for (const auto& [name, parameter] : parameters.getParams()) {
-    std::optional<DeclaredParameter> found = read(name, parameter);
+    std::optional<DeclaredParameter> found = read(name, parameter, accepted_range(parameters, name));
     if (!found) continue;
     found->card.source = Source::seen;
     found->card.meaning = "as declared by the planner in OMPL";

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "baselines/ompl/inspector.hpp"
@@ -67,7 +68,7 @@ class Race {
   Answer run(const MakeOmplPlanner& make, const ParameterValues& declared) {
     if (settings_.simplify) hold_back_for_simplification();
     const ob::PlannerPtr planner = make(si_);
-    for (const auto& [name, value] : declared) planner->params().setParam(name, value);
+    for (const auto& [name, value] : declared) planner->params().setParam(name, affordable(name, value));
     planner->setProblemDefinition(problem_);
     planner->setup();
     planner->solve(ob::PlannerTerminationCondition([this] { return must_stop(); }));
@@ -85,6 +86,14 @@ class Race {
     ob::ScopedState<> state(si_->getStateSpace());
     place(state.get(), point);
     return state;
+  }
+
+  // Each sample of a batch is an evaluation: what a larger batch than the budget adds is time and memory.
+  std::string affordable(const std::string& name, const std::string& value) const {
+    if (name != "samples_per_batch" && name != "num_samples") return value;
+    const std::uint64_t most = std::min(meter_.evaluations_left(), meter_.checks_left());
+    const std::uint64_t asked = std::stoull(value);
+    return asked > most ? std::to_string(most + 1) : value;
   }
 
   // Asked by the planner once a round. The rounds are the meter's iterations. Nothing is shorter than a

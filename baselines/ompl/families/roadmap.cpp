@@ -3,9 +3,8 @@
 #include "baselines/ompl/counted_spars.hpp"
 #include "baselines/ompl/entry.hpp"
 #include "baselines/ompl/families.hpp"
+#include "baselines/ompl/lazy_prm.hpp"
 #include "baselines/ompl/lazy_prm_star.hpp"
-
-#include <ompl/geometric/planners/prm/LazyPRM.h>
 
 namespace pathrace::baselines {
 
