@@ -1,6 +1,7 @@
 // Replanning: before each step the discs become a grid, a planner of static maps plans on it, and the robot
-// drives along its path (steer.hpp). The planner's evaluations and checks are the navigator's; a disc looked
-// at is one check more. Counted beside them: `planning_checks`, the planner's alone.
+// drives along its path, or along its last one while that is clear and no longer (steer.hpp). The planner's
+// evaluations and checks are the navigator's; a disc looked at is one check more. Counted beside them:
+// `planning_checks`, the planner's alone.
 #include "baselines/navigators/replan.hpp"
 
 #include <fmt/format.h>
@@ -35,14 +36,14 @@ Entrant inner_entrant(const Catalogue& planners, std::string_view text) {
 class Replan final : public Navigator {
  public:
   Replan(const ReplanSettings& settings, Planners planners)
-      : settings_(settings), planners_(std::move(planners)) {
+      : settings_(settings), planners_(std::move(planners)), steering_(settings.resolution, settings.margin) {
     const Entrant entrant = inner_entrant(*planners_, settings_.planner);
     planner_ = entrant.card->make(entrant.values);
   }
 
   Point next(const Snapshot& snapshot, Context& context) override {
-    return steer(snapshot, settings_.resolution, settings_.margin, context.meter,
-                 [&](const DiscMap& map, std::size_t) { return plan(map, snapshot, context); });
+    return steering_.next(snapshot, context.meter,
+                          [&](const DiscMap& map, std::size_t) { return plan(map, snapshot, context); });
   }
 
  private:
@@ -67,6 +68,7 @@ class Replan final : public Navigator {
 
   ReplanSettings settings_;
   Planners planners_;
+  Steering steering_;
   Planner planner_;
 };
 
@@ -118,6 +120,7 @@ PlannerCard replan_card(const std::shared_ptr<const Catalogue>& planners) {
   card.name = "replan";
   card.kind = Kind::navigator;
   card.random = false;
+  card.version = 2;
   card.summary = "plans anew before each step, with any planner of static maps: replan(astar)";
   card.source = "yardstick of this project";
   card = with_navigator_parameters(

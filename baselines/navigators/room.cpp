@@ -36,6 +36,13 @@ bool is_free_way(const Snapshot& snapshot, Point to) {
   return true;
 }
 
+bool is_clear(const Snapshot& snapshot, Point from, Point to) {
+  for (const Disc& disc : snapshot.discs) {
+    if (segment_distance(from, to, disc.centre) < disc.radius + snapshot.robot_radius + spare) return false;
+  }
+  return true;
+}
+
 double room_at(const Snapshot& snapshot, Point robot) {
   double room = snapshot.width;
   for (const Disc& disc : snapshot.discs) {

@@ -12,6 +12,9 @@ Point towards(Point from, Point to, double length);
 /// Where it overlaps a disc already, it may only move away. One check per disc.
 bool is_free_way(const Snapshot& snapshot, Point to);
 
+/// Does the robot on its way from `from` to `to` overlap no disc? One check per disc.
+bool is_clear(const Snapshot& snapshot, Point from, Point to);
+
 /// The gap between the robot, were it there, and the nearest disc; the workspace's width without discs. One
 /// check per disc.
 double room_at(const Snapshot& snapshot, Point robot);

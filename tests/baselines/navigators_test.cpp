@@ -5,6 +5,7 @@
 
 #include "baselines/navigators/disc_map.hpp"
 #include "baselines/navigators/room.hpp"
+#include "baselines/navigators/steer.hpp"
 #include "bench/dynamic_trial.hpp"
 #include "scenarios/library.hpp"
 #include "tests/support/trials.hpp"
@@ -54,6 +55,16 @@ TEST(FreeWay, LeadsOutOfADiscAndNotDeeper) {
   const Snapshot snapshot = snapshot_of(world);
   EXPECT_TRUE(is_free_way(snapshot, {8, 50}));
   EXPECT_FALSE(is_free_way(snapshot, {11, 50}));
+}
+
+TEST(Clear, IsASegmentThatOverlapsNoDiscEvenWhereItLeavesOne) {
+  World world = still_world();
+  world.discs = {{{20, 50}, 5}};
+  const Snapshot snapshot = snapshot_of(world);
+  EXPECT_TRUE(is_clear(snapshot, {10, 43}, {30, 43}));  // 7 from the centre, more than 6
+  EXPECT_FALSE(is_clear(snapshot, {10, 45}, {30, 45}));
+  EXPECT_FALSE(is_clear(snapshot, {25, 50}, {40, 50}));  // begins inside
+  EXPECT_TRUE(is_clear(snapshot, {40, 50}, {60, 50}));
 }
 
 TEST(PotentialField, GoesStraightWhereNoDiscIsInReach) {
@@ -171,6 +182,108 @@ TEST(Replan, RefusesWhatIsNoPlannerOfMaps) {
   EXPECT_NE(refusal("replan(as:ant=3)").find("'ants'"), std::string::npos);
   EXPECT_NE(refusal("replan(astar").find("')' is missing"), std::string::npos);
   EXPECT_NE(refusal("replan(astar)x").find("expected ':'"), std::string::npos);
+}
+
+// Steers by hand: the world stands still, and the plan of each step is given as points in units.
+class Steered {
+ public:
+  explicit Steered(World world) : world_(std::move(world)) {}
+
+  World& world() { return world_; }
+  Point robot() const { return world_.start; }
+
+  void step(const std::vector<Point>& plan) {
+    world_.start = steering_.next(snapshot_of(world_), meter_, [&](const DiscMap&, std::size_t) -> Answer {
+      if (plan.empty()) return std::nullopt;
+      Path path{Track::any_angle, plan};
+      for (Point& point : path.points) point = {point.x - 0.5, point.y - 0.5};  // cells of side 1
+      return path;
+    });
+  }
+
+ private:
+  World world_;
+  Steering steering_{1, 0.75};
+  Meter meter_{Budget{}};
+};
+
+// A disc in the way of the robot at 10,50, and a way around either side of it.
+World world_with_two_ways() {
+  World world = still_world();
+  world.discs = {{{50, 50}, 10}};
+  return world;
+}
+const std::vector<Point> northern = {{10.5, 50.5}, {50.5, 36.5}, {90.5, 50.5}};
+const std::vector<Point> southern = {{10.5, 50.5}, {50.5, 66.5}, {90.5, 50.5}};
+
+TEST(Steering, KeepsItsWayWhileTheNewPlanIsLonger) {
+  Steered run(world_with_two_ways());
+  run.step(northern);
+  const double once = run.robot().y;
+  EXPECT_LT(once, 50);
+  run.step(southern);
+  EXPECT_LT(run.robot().y, once);
+}
+
+TEST(Steering, KeepsItsWayWhereThereIsNoNewPlan) {
+  Steered run(world_with_two_ways());
+  run.step(southern);
+  const double once = run.robot().y;
+  run.step({});
+  EXPECT_GT(run.robot().y, once);
+}
+
+TEST(Steering, TakesAShorterPlan) {
+  Steered run(world_with_two_ways());
+  run.step(southern);
+  const double once = run.robot().y;
+  EXPECT_GT(once, 50);
+  run.step(northern);
+  EXPECT_LT(run.robot().y, once);
+}
+
+TEST(Steering, LeavesAWayThatADiscHasClosedFarAhead) {
+  Steered run(world_with_two_ways());
+  run.step(northern);
+  const double once = run.robot().y;
+  run.world().discs.push_back({{75, 42}, 3});  // on the second half, far from the robot
+  run.step(southern);
+  EXPECT_GT(run.robot().y, once);
+}
+
+TEST(Steering, ForgetsAWayThatItHasLeft) {
+  Steered run(world_with_two_ways());
+  run.step(northern);
+  run.world().discs.push_back({{75, 42}, 3});
+  run.step({});
+  run.world().discs.pop_back();
+  const Point waited = run.robot();
+  run.step({});
+  EXPECT_EQ(run.robot(), waited);
+}
+
+TEST(Steering, FollowsTheGoalAtTheEndOfAKeptWay) {
+  World world = still_world();
+  Steered run(world);
+  run.step({{10.5, 50.5}, {90.5, 50.5}});
+  run.world().goal = {13, 90};
+  run.step({});
+  EXPECT_GT(run.robot().y, 52);
+}
+
+// Cups whose gaps are too narrow on the map with the margin and wide enough on the map without, so that the
+// ways on the two lead to opposite sides. Each of them held at least one of these navigators to the end.
+TEST(MapNavigators, ArriveWhereTheirTwoMapsDisagree) {
+  const scenarios::Library library;
+  for (const char* id : {"discs/c-trap/7", "discs/c-trap/30", "discs/c-trap/129", "discs/c-trap/253",
+                         "discs/c-trap/264", "discs/c-trap/351", "discs/c-trap/387"}) {
+    const Scenario scenario = library.load(id);
+    for (const char* planner : {"d-star-lite", "replan(astar)", "replan(jps)"}) {
+      const TrialRecord record = run({planner}, scenario);
+      ASSERT_EQ(record.verdict, Verdict::solved) << planner << " on " << id << ": " << record.note;
+      EXPECT_EQ(record.run->oscillations, 0U) << planner << " on " << id;
+    }
+  }
 }
 
 }  // namespace
