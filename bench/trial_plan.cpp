@@ -97,6 +97,8 @@ class Planning {
     const std::size_t index = plan_.scenarios.size() - 1;
     index_of_[id] = index;
     plan_.contents.push_back(content_hash(plan_.scenarios.back()));
+    const auto [first, is_new] = first_with_.emplace(plan_.contents.back(), index);
+    if (!is_new) plan_.repeated.push_back(fmt::format("{} ({})", id, plan_.scenarios[first->second].id));
     (plan_.scenarios.back().world ? has_worlds_ : has_maps_) = true;
     return index;
   }
@@ -120,7 +122,8 @@ class Planning {
   const scenarios::Library& library_;
   TrialPlan plan_;
   std::unordered_map<std::string, std::size_t> index_of_;
-  std::unordered_set<std::uint64_t> keys_;  // of each group's last trial
+  std::unordered_map<std::uint64_t, std::size_t> first_with_;  // this content
+  std::unordered_set<std::uint64_t> keys_;                     // of each group's last trial
   bool has_maps_ = false;
   bool has_worlds_ = false;
 };

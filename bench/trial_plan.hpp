@@ -41,6 +41,7 @@ struct TrialPlan {
   std::vector<std::uint64_t> contents;  ///< content hashes of the scenarios
   std::vector<std::string> calls;       ///< full calls of the entrants
   std::vector<std::string> left_out;    ///< recorded queries that cannot be scenarios, and why
+  std::vector<std::string> repeated;    ///< scenarios that ask an earlier one's question: "ID (EARLIER ID)"
 
   /// Trials; trial i is of group i / repetitions. They are made when asked for: a million need no memory.
   std::size_t size() const { return groups.size() * campaign.repetitions; }

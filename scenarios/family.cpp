@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/reference/exact_search.hpp"
+#include "scenarios/repeats.hpp"
 
 namespace pathrace::scenarios {
 
@@ -65,7 +66,10 @@ void require_parts(std::string_view id, std::string_view form, const std::vector
 std::vector<std::string> thirty_seeds(const std::vector<std::string>& prefixes) {
   std::vector<std::string> ids;
   for (const std::string& prefix : prefixes) {
-    for (int seed = 1; seed <= 30; ++seed) ids.push_back(fmt::format("{}/{}", prefix, seed));
+    for (int seed = 1; seed <= 30; ++seed) {
+      std::string id = fmt::format("{}/{}", prefix, seed);
+      if (!is_repeat(id)) ids.push_back(std::move(id));
+    }
   }
   return ids;
 }

@@ -51,7 +51,8 @@ int id_number(std::string_view id, std::string_view what, std::string_view text,
 void require_parts(std::string_view id, std::string_view form, const std::vector<std::string_view>& parts,
                    std::size_t count);
 
-/// Ids `prefix/1` to `prefix/30` for each prefix: the library's seeds.
+/// Ids `prefix/1` to `prefix/30` for each prefix, without repeats (scenarios/repeats.hpp): the library's
+/// seeds.
 std::vector<std::string> thirty_seeds(const std::vector<std::string>& prefixes);
 
 inline constexpr int least_side = 5;

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 #include <fnmatch.h>
 
+#include <algorithm>
 #include <charconv>
+#include <iterator>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/names.hpp"
@@ -50,6 +53,35 @@ std::vector<std::string> expand_range(const std::string& pattern) {
     for (const std::string& rest : expand_range(pattern.substr(end))) {
       ids.push_back(fmt::format("{}{}{}", pattern.substr(0, begin), seed, rest));
     }
+  }
+  return ids;
+}
+
+bool is_number(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+bool matches_glob(const std::string& glob, const std::string& text) {
+  return fnmatch(glob.c_str(), text.c_str(), FNM_PATHNAME) == 0;
+}
+
+// "dense/20-20/7" -> "dense/20-20" and "7".
+std::pair<std::string, std::string> split_seed(const std::string& id) {
+  const std::size_t slash = id.rfind('/');
+  if (slash == std::string::npos) return {id, ""};
+  return {id.substr(0, slash), id.substr(slash + 1)};
+}
+
+// What the listed ids of generated families are with this seed. The list holds the seeds of one family and
+// size one after another.
+std::vector<std::string> with_seed(const std::vector<std::string>& listed, const std::string& glob,
+                                   const std::string& seed) {
+  std::vector<std::string> ids;
+  for (const std::string& id : listed) {
+    const auto [size, listed_seed] = split_seed(id);
+    if (!is_number(listed_seed) || !matches_glob(glob, size)) continue;
+    std::string seeded = fmt::format("{}/{}", size, seed);
+    if (ids.empty() || ids.back() != seeded) ids.push_back(std::move(seeded));
   }
   return ids;
 }
@@ -122,12 +154,23 @@ std::vector<std::string> Library::select(const std::string& pattern) const {
       ids.push_back(item);
       continue;
     }
-    for (const std::string& id : listed_for(item)) {
-      if (fnmatch(item.c_str(), id.c_str(), FNM_PATHNAME) == 0) ids.push_back(id);
-    }
-    if (ids.empty())
+    const std::vector<std::string> matching = matches(item);
+    if (matching.empty())
       throw InputError(fmt::format("scenario pattern '{}' matches nothing in the library", item));
+    ids.insert(ids.end(), matching.begin(), matching.end());
   }
+  return ids;
+}
+
+std::vector<std::string> Library::matches(const std::string& glob) const {
+  const std::vector<std::string> listed = listed_for(glob);
+  const bool is_generated = !glob.starts_with(recorded_family) && !glob.starts_with(ros_family);
+  if (const auto [size, seed] = split_seed(glob); is_generated && is_number(seed)) {
+    return with_seed(listed, size, seed);
+  }
+  std::vector<std::string> ids;
+  std::copy_if(listed.begin(), listed.end(), std::back_inserter(ids),
+               [&](const std::string& id) { return matches_glob(glob, id); });
   return ids;
 }
 

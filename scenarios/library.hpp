@@ -27,7 +27,8 @@ class Library {
   Library(const Library&) = delete;
   Library& operator=(const Library&) = delete;
 
-  /// The finite list of generated and curated ids, family by family; the same everywhere.
+  /// The finite list of generated and curated ids, family by family; the same everywhere. No two of them ask
+  /// the same question (scenarios/repeats.hpp).
   std::vector<std::string> list() const;
 
   /// The scenario with this id; generated ones carry their proven optimum, recorded ones do not yet.
@@ -36,8 +37,8 @@ class Library {
   Scenario load(const std::string& id) const;
 
   /// The ids that a campaign's pattern stands for: an id, a range of seeds `dense/20-20/1..30`, a glob over
-  /// the list (`trap-*/20/*`, where `*` stays within one part), or a set `set/traps`. Throws InputError when
-  /// there is none.
+  /// the list (`trap-*/20/*`, where `*` stays within one part), or a set `set/traps`. A seed that a glob
+  /// names counts as given, listed or not: `trap-*/20/101`. Throws InputError when there is none.
   std::vector<std::string> select(const std::string& pattern) const;
 
   /// Ids of up to `per_scen` recorded queries of each scen file, spread evenly; queries on maps with more
@@ -52,6 +53,7 @@ class Library {
   Recorded& recorded(const std::string& id) const;
   RosQueries& ros(const std::string& id) const;
   std::vector<std::string> listed_for(const std::string& pattern) const;
+  std::vector<std::string> matches(const std::string& glob) const;
 
   std::optional<std::filesystem::path> maps_;
   mutable std::unique_ptr<Recorded> recorded_;

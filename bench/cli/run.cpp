@@ -88,6 +88,15 @@ bool needs_maps(const Campaign& campaign) {
   return false;
 }
 
+void say_what_repeats(const std::vector<std::string>& repeated) {
+  constexpr std::size_t most_named = 3;
+  if (repeated.empty()) return;
+  const auto last = repeated.begin() + static_cast<std::ptrdiff_t>(std::min(repeated.size(), most_named));
+  say(fmt::format("{} of the scenarios ask{} the question of an earlier one: {}{}", repeated.size(),
+                  repeated.size() == 1 ? "s" : "", fmt::join(repeated.begin(), last, ", "),
+                  repeated.size() > most_named ? ", ..." : ""));
+}
+
 TrialPlan make_plan(const RunCommand& command, const RunFolder& folder) {
   Campaign campaign = chosen_campaign(command, folder);
   if (command.seed) campaign.seed = *command.seed;
@@ -98,6 +107,7 @@ TrialPlan make_plan(const RunCommand& command, const RunFolder& folder) {
   TrialPlan plan = plan_trials(campaign, library, roster());
   left_out.insert(left_out.end(), plan.left_out.begin(), plan.left_out.end());
   for (const std::string& query : left_out) say("left out: " + query);
+  say_what_repeats(plan.repeated);
   return plan;
 }
 

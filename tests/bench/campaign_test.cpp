@@ -120,6 +120,18 @@ scenarios = [{ select = ["asr/fig2", "asr/*"] }]
   EXPECT_EQ(plan_of_text(twice).size(), 3U);
 }
 
+TEST(Campaign, KnowsWhichOfItsScenariosRepeatAQuestion) {
+  const auto plan_of = [](const std::string& pattern) {
+    return plan_of_text("campaign = { name = \"x\" }\nplanner = [{ name = \"greedy\" }]\n" +
+                        ("scenarios = [{ select = [\"" + pattern + "\"] }]\n"));
+  };
+  const TrialPlan plan = plan_of("trap-comb/10/1..30");
+  EXPECT_EQ(plan.scenarios.size(), 30U);
+  EXPECT_EQ(plan.repeated, (std::vector<std::string>{"trap-comb/10/21 (trap-comb/10/14)",
+                                                     "trap-comb/10/29 (trap-comb/10/7)"}));
+  EXPECT_TRUE(plan_of("trap-comb/10/*").repeated.empty());
+}
+
 TEST(Campaign, WallLimitsDoNotNameATrial) {
   const std::string head =
       "campaign = { name = \"x\" }\nplanner = [{ name = \"astar\" }]\nscenarios = [{ select = [\"asr/fig2\"] "

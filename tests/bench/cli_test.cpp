@@ -117,6 +117,15 @@ TEST(BenchScen, CountsMatchesMismatchesAndBadQueries) {
   EXPECT_EQ(Json::parse(limited.out)["queries"], 2);
 }
 
+TEST(Scenarios, ListingSaysWhatItLeavesOut) {
+  const Finished combs = pathrace({"scenarios", "list", "--family", "trap-comb/10", "--json"});
+  EXPECT_EQ(Json::parse(combs.out).size(), 28U);
+  EXPECT_EQ(combs.err,
+            "not listed, since they repeat an earlier question: trap-comb/10/21 (trap-comb/10/14), "
+            "trap-comb/10/29 (trap-comb/10/7)\n");
+  EXPECT_EQ(pathrace({"scenarios", "list", "--family", "trap-l/20", "--json"}).err, "");
+}
+
 TEST(Scenarios, ListsShowsExportsAndChecks) {
   const ScratchFolder scratch;
   const Json list = Json::parse(pathrace({"scenarios", "list", "--family", "trap-l/20", "--json"}).out);

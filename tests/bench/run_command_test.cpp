@@ -97,6 +97,22 @@ TEST(Run, ADryRunRunsNothing) {
   EXPECT_FALSE(std::filesystem::exists(scratch / "run"));
 }
 
+TEST(Run, SaysWhichScenariosRepeatAQuestion) {
+  const ScratchFolder scratch;
+  const auto said = [&](const std::string& pattern) {
+    const std::string campaign =
+        scratch.file("x.toml", "campaign = { name = \"x\" }\nplanner = [{ name = \"greedy\" }]\n" +
+                                   ("scenarios = [{ select = [\"" + pattern + "\"] }]\n"));
+    return pathrace({"run", campaign, "--dry-run", "--out", scratch / "run"}).err;
+  };
+  EXPECT_NE(
+      said("trap-hook/10/1..30")
+          .find(
+              "1 of the scenarios asks the question of an earlier one: trap-hook/10/17 (trap-hook/10/14)\n"),
+      std::string::npos);
+  EXPECT_EQ(said("trap-hook/10/*").find("asks the question"), std::string::npos);
+}
+
 TEST(Run, AnOutputThatIsAFileIsRefused) {
   const ScratchFolder scratch;
   expect_refusal(pathrace({"run", "--campaign", "smoke", "--out", scratch.file("taken", "x")}),

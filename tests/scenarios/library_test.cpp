@@ -3,10 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <map>
+#include <set>
 #include <sstream>
 
 #include "core/error.hpp"
 #include "scenarios/ascii.hpp"
+#include "scenarios/repeats.hpp"
 #include "tests/support/maps.hpp"
 
 namespace pathrace::scenarios {
@@ -34,6 +38,58 @@ TEST(Library, AGlobStaysWithinThePartsOfAnId) {
   EXPECT_EQ(library.select("asr/*").size(), 3U);
   EXPECT_EQ(library.select("trap-*/20/1..2").size(), 20U);
   EXPECT_NE(error_of([&] { library.select("trap-*"); }).find("matches nothing"), std::string::npos);
+}
+
+TEST(Library, AGlobTakesASeedAsGivenListedOrNot) {
+  const Library library;
+  const std::vector<std::string> ids = library.select("trap-*/20/101");
+  EXPECT_EQ(ids.size(), 10U);
+  for (const std::string& id : ids) {
+    EXPECT_TRUE(id.ends_with("/20/101")) << id;
+    EXPECT_EQ(library.load(id).id, id);
+  }
+  EXPECT_EQ(library.select("trap-*/20/100..101").size(), 20U);
+  EXPECT_EQ(library.select("trap-u/*/31"), (std::vector<std::string>{"trap-u/10/31", "trap-u/20/31"}));
+  EXPECT_NE(error_of([&] { library.select("trap-*/21/1"); }).find("matches nothing"), std::string::npos);
+  EXPECT_NE(error_of([&] { library.select("*/1"); }).find("matches nothing"), std::string::npos);
+  const std::string unreadable = error_of([&] { library.load(library.select("trap-*/20/007").front()); });
+  EXPECT_NE(unreadable.find("007"), std::string::npos) << unreadable;
+}
+
+TEST(Library, ThatOnePartOfARangeMatchesDoesNotHideThatAnotherDoesNot) {
+  const Library library;
+  EXPECT_NE(error_of([&] { library.select("trap-*/20..21/*"); }).find("'trap-*/21/*'"), std::string::npos);
+}
+
+TEST(Library, ListsNoQuestionTwice) {
+  const Library library;
+  std::map<std::uint64_t, std::string> first;
+  for (const std::string& id : library.list()) {
+    const auto [known, is_new] = first.emplace(content_hash(library.load(id)), id);
+    EXPECT_TRUE(is_new) << id << " asks the question of " << known->second << ": a line for repeats.def";
+  }
+}
+
+TEST(Library, LeavesOutOnlyIdsThatAskTheQuestionOfAListedOne) {
+  const Library library;
+  const std::vector<std::string> ids = library.list();
+  const std::set<std::string> listed(ids.begin(), ids.end());
+  for (const Repeat& repeat : repeats()) {
+    const std::string id(repeat.id);
+    const std::string earlier(repeat.earlier);
+    EXPECT_FALSE(listed.contains(id)) << id;
+    EXPECT_TRUE(listed.contains(earlier)) << earlier;
+    EXPECT_EQ(content_hash(library.load(id)), content_hash(library.load(earlier)))
+        << id << " and " << earlier;
+  }
+  EXPECT_EQ(ids.size() + repeats().size(), 1392U);  // 46 times 30 seeds, nine curated, three of asr
+}
+
+TEST(Library, GlobsLeaveOutRepeatsAndRangesKeepThem) {
+  const Library library;
+  EXPECT_EQ(library.select("trap-comb/10/*").size(), 28U);
+  EXPECT_EQ(library.select("trap-comb/10/1..30").size(), 30U);
+  EXPECT_EQ(library.select("trap-comb/10/21"), std::vector<std::string>{"trap-comb/10/21"});
 }
 
 TEST(Library, RangesThatAreNoneAreRefused) {

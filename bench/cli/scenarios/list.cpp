@@ -10,6 +10,7 @@
 #include "bench/executors.hpp"
 #include "core/error.hpp"
 #include "scenarios/library.hpp"
+#include "scenarios/repeats.hpp"
 #include "scenarios/sets.hpp"
 
 namespace pathrace::bench::cli {
@@ -45,6 +46,16 @@ std::vector<std::string> chosen_ids(const scenarios::Library& library, const Lis
   return ids;
 }
 
+// Of the library's list alone: a set holds what it was made of.
+void say_what_repeats(const ListOptions& options) {
+  std::string text;
+  for (const scenarios::Repeat& repeat : scenarios::repeats()) {
+    if (!below(std::string(repeat.id), options.family)) continue;
+    text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", repeat.id, repeat.earlier);
+  }
+  if (!text.empty()) fmt::print(stderr, "not listed, since they repeat an earlier question: {}\n", text);
+}
+
 std::vector<results::ScenarioRow> described(const scenarios::Library& library,
                                             const std::vector<std::string>& ids, const ListOptions& options) {
   std::vector<results::ScenarioRow> rows(ids.size());
@@ -58,6 +69,7 @@ int list_scenarios(const ListOptions& options) {
   require_backend(options.executor);
   const scenarios::Library library;
   const auto rows = described(library, chosen_ids(library, options), options);
+  if (options.set.empty()) say_what_repeats(options);
   if (options.json) {
     print_json(rows, options.features);
   } else if (options.csv) {
