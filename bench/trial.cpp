@@ -35,6 +35,24 @@ void call_planner(const Entrant& entrant, const Scenario& scenario, const Terrai
   record.costs.wall_s = seconds_since(begin);
 }
 
+// An empty answer is a spent budget, a proof that there is no way, or neither.
+void judge_empty(const Entrant& entrant, const Scenario& scenario, const Meter& meter, TrialRecord& record) {
+  const bool complete = entrant.card->complete_search;
+  const bool claims = meter.concluded() || (complete && !meter.spent());
+  const Proof proof = proof_of(scenario, entrant.card->track);
+  if (!claims && meter.spent()) {
+    record.verdict = Verdict::budget;
+  } else if (proof == Proof::no_way || (proof == Proof::none && claims)) {
+    record.verdict = Verdict::no_path;
+  } else {
+    record.verdict = claims && complete ? Verdict::invalid : Verdict::gave_up;
+    if (claims) {
+      record.note = fmt::format("{} claims that there is no way; the proven optimum is {}", entrant.label,
+                                *reference_length(scenario, entrant.card->track));
+    }
+  }
+}
+
 void judge(const Entrant& entrant, const Scenario& scenario, const Referee& referee, const Meter& meter,
            TrialRecord& record) {
   if (record.verdict != Verdict::solved) return;
@@ -44,10 +62,7 @@ void judge(const Entrant& entrant, const Scenario& scenario, const Referee& refe
                               record.work.evaluations, record.work.iterations, record.work.checks);
     return;
   }
-  if (!record.answer) {
-    record.verdict = !meter.concluded() && meter.spent() ? Verdict::budget : Verdict::no_path;
-    return;
-  }
+  if (!record.answer) return judge_empty(entrant, scenario, meter, record);
   if (record.answer->track != entrant.card->track) {
     record.verdict = Verdict::invalid;
     record.note = fmt::format("answered on the track {}, races on {}", name(record.answer->track),

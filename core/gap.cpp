@@ -53,13 +53,21 @@ std::optional<double> reference_length(const Scenario& scenario, Track track) {
   return std::nullopt;
 }
 
+Proof proof_of(const Scenario& scenario, Track track) {
+  if (!is_proven(scenario, track)) return Proof::none;
+  return reference_length(scenario, track) ? Proof::way : Proof::no_way;
+}
+
 std::string contradiction(const PathMetrics& metrics, const Scenario& scenario, Track track) {
-  if (!is_proven(scenario, track)) return "";
-  const std::optional<double> reference = reference_length(scenario, track);
-  if (!reference) return fmt::format("a legal path of {} where there is provably no way", metrics.length);
+  const Proof proof = proof_of(scenario, track);
+  if (proof == Proof::none) return "";
+  if (proof == Proof::no_way) {
+    return fmt::format("a legal path of {} where there is provably no way", metrics.length);
+  }
   const std::optional<double> share = gap(metrics, scenario, track);
   if (!share || *share >= 0) return "";
-  return fmt::format("a legal path of {} is shorter than the proven optimum {}", metrics.length, *reference);
+  return fmt::format("a legal path of {} is shorter than the proven optimum {}", metrics.length,
+                     *reference_length(scenario, track));
 }
 
 }  // namespace pathrace

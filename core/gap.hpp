@@ -28,6 +28,10 @@ std::optional<double> gap(const PathMetrics& metrics, const Scenario& scenario, 
 /// on `dynamic`, where runs count steps.
 std::optional<double> reference_length(const Scenario& scenario, Track track);
 
+/// What exact search knows about a way on this track.
+enum class Proof { none, way, no_way };
+Proof proof_of(const Scenario& scenario, Track track);
+
 /// What a legal path says against the proof: it is shorter than the proven optimum, or there should be no
 /// way. Then reference, referee or move rule are wrong. Empty where nothing is, or nothing is proven.
 std::string contradiction(const PathMetrics& metrics, const Scenario& scenario, Track track);

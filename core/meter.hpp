@@ -69,7 +69,7 @@ class Meter {
   /// the budget nor of the digest.
   void count(std::string_view name, std::uint64_t amount);
 
-  /// The planner has nothing left to try: an empty answer is then its last word, not a spent budget.
+  /// The planner has tried everything: an empty answer then claims that there is no way, whatever is spent.
   void conclude() { concluded_ = true; }
   bool concluded() const { return concluded_; }
 

@@ -60,7 +60,6 @@ Answer walk(const Problem& problem, Context& context) {
   }
   context.meter.spend_evaluations(1);
   context.meter.end_iteration();
-  context.meter.conclude();
   if (cells.back() != problem.goal) return std::nullopt;
   context.meter.improved(length.value());
   return lattice_path(cells);

@@ -107,6 +107,13 @@ TEST_P(NavigatorContract, TheSameSeedGivesTheSameRecordOnEveryExecutorAndNumberO
   }
 }
 
+TEST_P(NavigatorContract, ItRepeatsWhateverTheSeedIfItDrawsNothing) {
+  if (bench::roster().enter(parse_call(GetParam())).draws()) GTEST_SKIP() << "draws random numbers";
+  const Scenario scenario = scenarios::Library().load("discs/dense/2");
+  EXPECT_EQ(digest(run({GetParam(), steps(15), "serial", 1, 1}, scenario)),
+            digest(run({GetParam(), steps(15), "serial", 1, 2}, scenario)));
+}
+
 TEST_P(NavigatorContract, ARunDoesNotDependOnTheRunBefore) {
   const scenarios::Library library;
   const Scenario one = library.load("discs/open/1");

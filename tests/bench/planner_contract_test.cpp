@@ -45,6 +45,12 @@ Budget small_budget() {
   return budget;
 }
 
+void expect_no_answer(const TrialRecord& record) {
+  EXPECT_TRUE(record.verdict == Verdict::no_path || record.verdict == Verdict::budget ||
+              record.verdict == Verdict::gave_up)
+      << name(record.verdict);
+}
+
 class PlannerContract : public ::testing::TestWithParam<std::string> {
  protected:
   TrialRecord trial(const Scenario& scenario, const Budget& budget = small_budget()) const {
@@ -84,16 +90,37 @@ TEST_P(PlannerContract, StartOnTheGoalIsSolvedWithLengthZero) {
 TEST_P(PlannerContract, WithoutAWayThereIsNoAnswer) {
   const Question question{grid_of({"..#..", "..#..", "..#.."}), {0, 1}, {4, 1}};
   const TrialRecord record = trial(scenario_of(question));
-  EXPECT_TRUE(record.verdict == Verdict::no_path || record.verdict == Verdict::budget)
-      << name(record.verdict);
+  expect_no_answer(record);
   EXPECT_FALSE(record.answer.has_value());
+  Scenario proven = scenario_of(question);
+  proven.optimum = {true, std::nullopt};
+  proven.any_angle_optimum = {true, std::nullopt};
+  EXPECT_NE(trial(proven).verdict, Verdict::gave_up);
+}
+
+TEST_P(PlannerContract, ItRepeatsWhateverTheSeedIfItDrawsNothing) {
+  if (bench::roster().enter(parse_call(GetParam())).draws()) GTEST_SKIP() << "draws random numbers";
+  const Scenario scenario = scenario_of(random_question(Stream(5), 20, 0.2));
+  EXPECT_EQ(digest(run({GetParam(), small_budget(), "serial", 1, 1}, scenario)),
+            digest(run({GetParam(), small_budget(), "serial", 1, 2}, scenario)));
+}
+
+TEST_P(PlannerContract, NothingIsCalledNoPathWhereThereIsAWay) {
+  for (std::uint64_t i = 0; i < 12; ++i) {
+    const Question question = random_question(Stream(17).fork(i), 9, 0.4);
+    if (!oracle_optimum(question.grid, MoveRule::strict, question.start, question.goal)) continue;
+    Budget budget = small_budget();
+    for (const std::uint64_t limit : {1U, 3U, 60U}) {
+      budget.evaluations = limit;
+      EXPECT_NE(trial(scenario_of(question), budget).verdict, Verdict::no_path) << i << ", " << limit;
+    }
+  }
 }
 
 TEST_P(PlannerContract, AStartWithoutAStepHasNoAnswer) {
   const Question question{grid_of({".#.", "##.", "..."}), {0, 0}, {2, 2}};
   const TrialRecord record = trial(scenario_of(question));
-  EXPECT_TRUE(record.verdict == Verdict::no_path || record.verdict == Verdict::budget)
-      << name(record.verdict);
+  expect_no_answer(record);
 }
 
 TEST_P(PlannerContract, ABudgetIsNeverExceededWhateverItLimits) {

@@ -73,5 +73,12 @@ TEST(ReplanKey, TheVersionOfACallCountsTheOneInside) {
   EXPECT_EQ(catalogue.enter(parse_call("replan(astar)")).version(), 6);
 }
 
+TEST(ReplanKey, DrawsRandomNumbersWhenItsPlannerDoes) {
+  const auto draws = [](const char* call) { return roster().enter(parse_call(call)).draws(); };
+  EXPECT_FALSE(draws("replan"));
+  EXPECT_FALSE(draws("replan(jps)"));
+  EXPECT_TRUE(draws("replan(as:ants=10)"));
+}
+
 }  // namespace
 }  // namespace pathrace::bench

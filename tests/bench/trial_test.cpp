@@ -23,11 +23,13 @@ const Scenario& open_square() {
 }
 
 TrialRecord trial_of(PlanFunction plan, Budget budget = {}, bool deterministic = true,
-                     const Scenario& scenario = open_square(), Track track = Track::lattice) {
+                     const Scenario& scenario = open_square(), Track track = Track::lattice,
+                     bool complete_search = false) {
   PlannerCard card;
   card.name = "test";
   card.track = track;
   card.deterministic = deterministic;
+  card.complete_search = complete_search;
   card = without_parameters(std::move(card), unprepared(std::move(plan)));
   const Entrant entrant{&card, {}, "test"};
   const auto executor = make_executor("serial", 1);
@@ -136,20 +138,61 @@ TEST(Trial, SpendingMoreThanTheBudgetIsInvalidHoweverGoodThePath) {
   EXPECT_NE(record.note.find("4 evaluations"), std::string::npos);
 }
 
-TEST(Trial, AnEmptyAnswerIsNoPathUnlessTheBudgetRanOut) {
-  EXPECT_EQ(trial_of([](const Problem&, Context&) { return Answer{}; }).verdict, Verdict::no_path);
+// Three ways to end without an answer.
+Answer give_up(const Problem&, Context&) {
+  return std::nullopt;
+}
+Answer spend_two_checks(const Problem&, Context& context) {
+  context.meter.spend_checks(2);
+  return std::nullopt;
+}
+Answer claim_no_way(const Problem& problem, Context& context) {
+  context.meter.conclude();
+  return spend_two_checks(problem, context);
+}
+
+TrialRecord empty_trial_of(PlanFunction plan, bool complete, const Scenario& scenario = open_square(),
+                           Track track = Track::lattice) {
   Budget budget;
   budget.checks = 2;
-  const auto spend = [](const Problem&, Context& context) {
-    context.meter.spend_checks(2);
-    return Answer{};
-  };
-  EXPECT_EQ(trial_of(spend, budget).verdict, Verdict::budget);
-  const auto conclude = [&spend](const Problem& problem, Context& context) {
-    context.meter.conclude();
-    return spend(problem, context);
-  };
-  EXPECT_EQ(trial_of(conclude, budget).verdict, Verdict::no_path);
+  return trial_of(std::move(plan), budget, true, scenario, track, complete);
+}
+
+TEST(Trial, AnEmptyAnswerIsNoPathOnlyAsAProof) {
+  EXPECT_EQ(empty_trial_of(give_up, false).verdict, Verdict::gave_up);
+  EXPECT_EQ(empty_trial_of(spend_two_checks, false).verdict, Verdict::budget);
+  EXPECT_EQ(empty_trial_of(claim_no_way, false).verdict, Verdict::no_path);
+  EXPECT_EQ(empty_trial_of(give_up, true).verdict, Verdict::no_path);
+  EXPECT_EQ(empty_trial_of(spend_two_checks, true).verdict, Verdict::budget);
+  EXPECT_EQ(empty_trial_of(claim_no_way, true).verdict, Verdict::no_path);
+}
+
+TEST(Trial, WhereThereIsProvablyNoWayEveryEmptyAnswerAgrees) {
+  Scenario scenario = open_square();
+  scenario.optimum.proven = true;
+  EXPECT_EQ(empty_trial_of(give_up, false, scenario).verdict, Verdict::no_path);
+  EXPECT_EQ(empty_trial_of(claim_no_way, true, scenario).verdict, Verdict::no_path);
+  EXPECT_EQ(empty_trial_of(spend_two_checks, false, scenario).verdict, Verdict::budget);
+  // The proof counts on its own track.
+  EXPECT_EQ(empty_trial_of(give_up, false, scenario, Track::any_angle).verdict, Verdict::gave_up);
+}
+
+TEST(Trial, AClaimOfNoWayAgainstAProvenOptimumIsNotBelieved) {
+  Scenario scenario = open_square();
+  scenario.optimum = {true, LatticeLength{0, 1}};
+  EXPECT_EQ(empty_trial_of(give_up, false, scenario).verdict, Verdict::gave_up);
+  EXPECT_EQ(empty_trial_of(give_up, false, scenario).note, "");
+  EXPECT_EQ(empty_trial_of(spend_two_checks, true, scenario).verdict, Verdict::budget);
+
+  const std::string note = "test claims that there is no way; the proven optimum is 1.4142135623730951";
+  const TrialRecord doubtful = empty_trial_of(claim_no_way, false, scenario);
+  EXPECT_EQ(doubtful.verdict, Verdict::gave_up);
+  EXPECT_EQ(doubtful.note, note);
+  for (const auto plan : {give_up, claim_no_way}) {
+    const TrialRecord wrong = empty_trial_of(plan, true, scenario);
+    EXPECT_EQ(wrong.verdict, Verdict::invalid);
+    EXPECT_EQ(wrong.note, note);
+  }
 }
 
 TEST(Trial, WhatAPlannerThrowsBecomesAVerdict) {

@@ -86,6 +86,18 @@ TEST(Gap, CountsFromTheReferenceOfTheTrack) {
   EXPECT_EQ(gap(any_angle(9), scenario.optimum), std::nullopt);  // on the lattice, no path of cells
 }
 
+TEST(Proof, IsThatOfTheTrack) {
+  Scenario scenario = ten_and_nine();
+  EXPECT_EQ(proof_of(scenario, Track::lattice), Proof::way);
+  EXPECT_EQ(proof_of(scenario, Track::any_angle), Proof::way);
+  scenario.any_angle_optimum.length.reset();
+  EXPECT_EQ(proof_of(scenario, Track::any_angle), Proof::no_way);
+  EXPECT_EQ(proof_of(scenario, Track::lattice), Proof::way);
+  scenario.optimum = {};
+  EXPECT_EQ(proof_of(scenario, Track::lattice), Proof::none);
+  EXPECT_EQ(proof_of(scenario, Track::dynamic), Proof::none);
+}
+
 TEST(Contradiction, IsALegalPathBelowTheProvenOptimumOfItsTrack) {
   const Scenario scenario = ten_and_nine();
   EXPECT_EQ(contradiction(lattice({10, 0}), scenario, Track::lattice), "");
