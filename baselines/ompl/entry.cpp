@@ -18,8 +18,9 @@ const Schema<OmplSettings>& adapter_schema() {
           "added"),
       integer("max_calls", &OmplSettings::max_calls, 0, 1'000'000'000'000, "calls", Source::ours,
               "the search ends when the planner has asked so often whether to stop; 0: never"),
-      boolean("simplify", &OmplSettings::simplify, Source::ours,
-              "OMPL's path simplification at the end, on a tenth of the evaluations; counted apart"),
+      boolean(
+          "simplify", &OmplSettings::simplify, Source::ours,
+          "OMPL's path simplification at the end, on what the search leaves of the budget; counted apart"),
   }};
   return schema;
 }
@@ -103,6 +104,7 @@ PlannerCard ompl_card(const OmplEntry& entry) {
   card.name = entry.name;
   card.kind = Kind::ompl;
   card.track = Track::any_angle;
+  card.version = 2;
   card.summary = entry.summary;
   card.source = entry.source;
   card.default_budget.evaluations = 20'000;

@@ -25,18 +25,13 @@ class Inspector {
     return !spent() && charge(space_.along(from, to, meter_.checks_left()));
   }
 
-  /// Evaluations that are kept for later.
-  void hold_back(std::uint64_t evaluations) { held_back_ = evaluations; }
   /// The planner has been told to stop.
   void close() { closed_ = true; }
-  /// For what comes after the planner: everything that the budget has left.
-  void reopen() {
-    closed_ = false;
-    held_back_ = 0;
-  }
+  /// For what comes after the planner, on what the budget has left.
+  void reopen() { closed_ = false; }
   /// True when no further motion will be allowed.
   bool spent() const {
-    return closed_ || meter_.evaluations_left() <= held_back_ || meter_.checks_left() == 0 || meter_.timed();
+    return closed_ || meter_.evaluations_left() == 0 || meter_.checks_left() == 0 || meter_.timed();
   }
 
   const FreeSpace& space() const { return space_; }
@@ -51,7 +46,6 @@ class Inspector {
 
   FreeSpace space_;
   Meter& meter_;
-  std::uint64_t held_back_ = 0;
   bool closed_ = false;
 };
 

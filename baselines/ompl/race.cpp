@@ -47,6 +47,7 @@ class Race {
         start_(centre(problem.start)),
         goal_(centre(problem.goal)),
         meter_(context.meter),
+        overlay_(context.overlay),
         inspector_(problem.grid, context.meter),
         si_(inspected_plane(inspector_)),
         problem_(std::make_shared<ob::ProblemDefinition>(si_)) {
@@ -66,14 +67,16 @@ class Race {
   }
 
   Answer run(const MakeOmplPlanner& make, const ParameterValues& declared) {
-    if (settings_.simplify) hold_back_for_simplification();
     const ob::PlannerPtr planner = make(si_);
     for (const auto& [name, value] : declared) planner->params().setParam(name, affordable(name, value));
     planner->setProblemDefinition(problem_);
     planner->setup();
     planner->solve(ob::PlannerTerminationCondition([this] { return must_stop(); }));
     inspector_.reopen();
-    if (!problem_->hasExactSolution()) return std::nullopt;
+    if (!problem_->hasExactSolution()) {
+      draw_attempt();
+      return std::nullopt;
+    }
     Path path{Track::any_angle, points_of(*problem_->getSolutionPath()->as<og::PathGeometric>())};
     if (path.points.back() != goal_) path.points.push_back(goal_);
     report(path.points);
@@ -124,11 +127,13 @@ class Race {
     if (meter_.trace().empty() || length < meter_.trace().back().cost * (1 - 1e-12)) meter_.improved(length);
   }
 
-  void hold_back_for_simplification() {
-    const std::uint64_t left = meter_.evaluations_left();
-    if (left != Meter::unlimited) inspector_.hold_back(left / 10);
+  // A path that does not reach the goal is no answer.
+  void draw_attempt() const {
+    if (overlay_ == nullptr || !problem_->hasSolution()) return;
+    overlay_->polyline = points_of(*problem_->getSolutionPath()->as<og::PathGeometric>());
   }
 
+  // On what the search has left of the budget: it never costs a path.
   void simplify(std::vector<Point>& points) {
     const Work before = meter_.work();
     og::PathGeometric path(si_);
@@ -157,6 +162,7 @@ class Race {
   Point start_;
   Point goal_;
   Meter& meter_;
+  Overlay* overlay_;
   Inspector inspector_;
   std::shared_ptr<ob::SpaceInformation> si_;
   std::shared_ptr<ob::ProblemDefinition> problem_;

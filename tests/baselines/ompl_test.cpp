@@ -167,6 +167,33 @@ TEST(Ompl, ASimplifierThatRunsOutOfBudgetLeavesALegalPath) {
   }
 }
 
+// Under every budget: paths found at its very end, too.
+TEST(Ompl, SimplificationNeverCostsAPath) {
+  for (const char* const planner : {"ompl-rrt-connect", "ompl-rrt-star"}) {
+    int solved = 0;
+    for (std::uint64_t budget = 100; budget < 400; budget += 7) {
+      const TrialRecord raw = run({planner, evaluations(budget)}, dense(4));
+      const TrialRecord simple = run({std::string(planner) + ":simplify=true", evaluations(budget)}, dense(4));
+      ASSERT_EQ(simple.verdict, raw.verdict) << planner << ", " << budget;
+      if (raw.verdict != Verdict::solved) continue;
+      ++solved;
+      EXPECT_LE(simple.metrics->length, raw.metrics->length) << planner << ", " << budget;
+    }
+    EXPECT_GT(solved, 0) << planner;
+  }
+}
+
+TEST(Ompl, WhatEndsByItselfBeforeItsBudgetHasGivenUp) {
+  const Question split{grid_of({"..#..", "..#..", "..#.."}), {0, 1}, {4, 1}};
+  Scenario scenario = scenario_of(split);
+  const TrialSetting few_calls{"ompl-rrt:max_calls=3", evaluations(5000)};
+  const TrialRecord record = run(few_calls, scenario);
+  EXPECT_EQ(record.verdict, Verdict::gave_up);
+  EXPECT_LT(record.work.evaluations, 5000U);
+  scenario.any_angle_optimum.proven = true;
+  EXPECT_EQ(run(few_calls, scenario).verdict, Verdict::no_path);
+}
+
 TEST(Ompl, ALimitOnCallsEndsASearchThatLooksAtNothing) {
   const TrialRecord record = run({"ompl-rrt-star:max_calls=50"}, dense(1));
   EXPECT_EQ(record.work.iterations, 50U);
