@@ -35,6 +35,9 @@ struct Sample {
   std::vector<double> struck;
   std::vector<double> step_ms;
   std::vector<double> step_ms_p99;
+  std::uint64_t gave_up = 0;
+  std::uint64_t crashed = 0;
+  std::uint64_t invalid = 0;
   bool crowded = false;
 };
 
@@ -43,6 +46,12 @@ void add_solved(const TrialRow& row, Sample& sample) {
   if (row.gap) sample.solved_gaps.push_back(*row.gap);
   if (row.length) sample.lengths.push_back(*row.length);
   if (row.turns) sample.turns.push_back(*row.turns);
+}
+
+void add_failure(const TrialRow& row, Sample& sample) {
+  sample.gave_up += row.verdict == Verdict::gave_up;
+  sample.crashed += row.verdict == Verdict::crashed;
+  sample.invalid += row.verdict == Verdict::invalid;
 }
 
 void add_run(const TrialRow& row, Sample& sample) {
@@ -60,7 +69,7 @@ void add_run(const TrialRow& row, Sample& sample) {
 void add(const TrialRow& row, Sample& sample) {
   const bool solved = row.verdict == Verdict::solved;
   ++sample.trials;
-  if (solved) add_solved(row, sample);
+  solved ? add_solved(row, sample) : add_failure(row, sample);
   add_run(row, sample);
   if (row.optimum || row.least_steps) sample.gaps.push_back(solved ? row.gap.value_or(infinite) : infinite);
   sample.evaluations.push_back(static_cast<double>(row.work.evaluations));
@@ -100,6 +109,9 @@ Standing standing_of(const GroupKey& key, Sample&& sample) {
   standing.struck_mean = mean(sample.struck);
   standing.step_ms_median = finite_median(std::move(sample.step_ms));
   standing.step_ms_p99_median = finite_median(std::move(sample.step_ms_p99));
+  standing.gave_up = sample.gave_up;
+  standing.crashed = sample.crashed;
+  standing.invalid = sample.invalid;
   standing.crowded = sample.crowded;
   return standing;
 }
@@ -109,15 +121,15 @@ std::tuple<double, double, double> merit(const Standing& standing) {
   return {-standing.success, standing.gap_median.value_or(infinite), standing.gap_solved.value_or(infinite)};
 }
 
-// What is ranked together: a group's paths, or its runs through dynamic worlds.
-std::tuple<const std::string&, bool> block(const Standing& standing) {
-  return {standing.group, standing.track == Track::dynamic};
+// What is ranked together.
+std::tuple<const std::string&, Track> block(const Standing& standing) {
+  return {standing.group, standing.track};
 }
 
 bool before(const Standing& a, const Standing& b) {
   if (block(a) != block(b)) return block(a) < block(b);
   if (merit(a) != merit(b)) return merit(a) < merit(b);
-  return std::tie(a.planner, a.track) < std::tie(b.planner, b.track);
+  return a.planner < b.planner;
 }
 
 void rank(std::vector<Standing>& standings) {
@@ -131,15 +143,27 @@ void rank(std::vector<Standing>& standings) {
   }
 }
 
+// "12,40"
+bool is_cell(std::string_view text) {
+  return text.find(',') != std::string_view::npos &&
+         text.find_first_not_of("0123456789,") == std::string_view::npos;
+}
+
 }  // namespace
 
-std::string family_of(const std::string& scenario) {
-  return scenario.substr(0, scenario.find('/'));
+std::string family_of(std::string_view scenario) {
+  std::string_view family = scenario.substr(0, scenario.rfind('/'));
+  while (true) {
+    const std::size_t slash = family.rfind('/');
+    if (slash == std::string_view::npos || !is_cell(family.substr(slash + 1))) return std::string(family);
+    family = family.substr(0, slash);
+  }
 }
 
 std::vector<Standing> leaderboard(const Store& store, Grouping grouping) {
   std::map<GroupKey, Sample> samples;
   store.for_each_slim([&](const TrialRow& row) {
+    if (row.draws == false && row.repetition > 0) return;  // the same trial again
     const std::string group = grouping == Grouping::family ? family_of(row.scenario) : "";
     add(row, samples[GroupKey(group, row.planner, row.track)]);
   });

@@ -10,7 +10,7 @@ namespace {
 
 using Value = std::optional<double> Standing::*;
 
-constexpr const char* missing = "-";
+constexpr const char* missing = "-";  // on the console
 
 std::string exact(double value) {
   return fmt::format("{}", value);
@@ -18,7 +18,12 @@ std::string exact(double value) {
 
 template <Value member>
 std::string csv(const Standing& standing) {
-  return standing.*member ? exact(*(standing.*member)) : missing;
+  return standing.*member ? exact(*(standing.*member)) : "";
+}
+
+template <std::uint64_t Standing::*member>
+std::string number(const Standing& standing) {
+  return std::to_string(standing.*member);
 }
 
 template <Value member>
@@ -57,12 +62,6 @@ std::string planner(const Standing& standing) {
 std::string track(const Standing& standing) {
   return std::string(name(standing.track));
 }
-std::string trials(const Standing& standing) {
-  return std::to_string(standing.trials);
-}
-std::string solved(const Standing& standing) {
-  return std::to_string(standing.solved);
-}
 std::string success(const Standing& standing) {
   return exact(standing.success);
 }
@@ -79,38 +78,40 @@ std::string time_mark(const Standing& standing) {
 }  // namespace
 
 const std::vector<LeaderboardColumn>& leaderboard_columns() {
-  using Block = LeaderboardColumn::Block;
+  using S = Standing;
+  using Table = LeaderboardColumn::Table;
+  constexpr auto both = Table::both;
+  constexpr auto paths = Table::paths;
+  constexpr auto runs = Table::runs;
+  constexpr auto failures = Table::where_not_zero;
   static const std::vector<LeaderboardColumn> columns = {
       {"rank", rank, "rank", rank},
-      {"planner", planner, "planner", planner, true},
-      {"track", track, "track", track, true},
-      {"trials", trials, "trials", trials},
-      {"solved", solved, "solved", solved},
+      {"planner", planner, "planner", planner, 0, both, true},
+      {"track", track, "", nullptr},
+      {"trials", number<&S::trials>, "trials", number<&S::trials>, 1},
+      {"solved", number<&S::solved>, "solved", number<&S::solved>, 9},
       {"success", success, "success", success_percent},
-      {"gap_median", csv<&Standing::gap_median>, "gap", percent<&Standing::gap_median>},
-      {"gap_solved", csv<&Standing::gap_solved>, "gap solved", percent<&Standing::gap_solved>},
-      {"length_median", csv<&Standing::length_median>, "length", decimal<&Standing::length_median, 2>},
-      {"turns_median", csv<&Standing::turns_median>, "turns", count<&Standing::turns_median>, false,
-       Block::paths},
-      {"evaluations_median", csv<&Standing::evaluations_median>, "evaluations",
-       count<&Standing::evaluations_median>},
-      {"checks_median", csv<&Standing::checks_median>, "checks", count<&Standing::checks_median>},
-      {"time_ms_median", csv<&Standing::time_ms_median>, "ms ", time_mark},
+      {"gap_median", csv<&S::gap_median>, "gap", percent<&S::gap_median>},
+      {"gap_solved", csv<&S::gap_solved>, "gap solved", percent<&S::gap_solved>, 2},
+      {"length_median", csv<&S::length_median>, "length", decimal<&S::length_median, 2>, 10},
+      {"turns_median", csv<&S::turns_median>, "turns", count<&S::turns_median>, 11, paths},
+      {"evaluations_median", csv<&S::evaluations_median>, "evaluations", count<&S::evaluations_median>, 7},
+      {"checks_median", csv<&S::checks_median>, "checks", count<&S::checks_median>, 3},
+      {"time_ms_median", csv<&S::time_ms_median>, "ms ", time_mark},
       {"time_pass", time_pass, "", nullptr},
-      {"steps_median", csv<&Standing::steps_median>, "steps", count<&Standing::steps_median>, false,
-       Block::runs},
-      {"collisions_mean", csv<&Standing::collisions_mean>, "collisions",
-       decimal<&Standing::collisions_mean, 2>, false, Block::runs},
-      {"struck_mean", csv<&Standing::struck_mean>, "struck", decimal<&Standing::struck_mean, 2>, false,
-       Block::runs},
-      {"min_clearance_median", csv<&Standing::min_clearance_median>, "clearance",
-       decimal<&Standing::min_clearance_median, 2>, false, Block::runs},
-      {"oscillations_median", csv<&Standing::oscillations_median>, "oscillations",
-       count<&Standing::oscillations_median>, false, Block::runs},
-      {"step_ms_median", csv<&Standing::step_ms_median>, "ms/step", three_digits<&Standing::step_ms_median>,
-       false, Block::runs},
-      {"step_ms_p99_median", csv<&Standing::step_ms_p99_median>, "p99",
-       three_digits<&Standing::step_ms_p99_median>, false, Block::runs},
+      {"steps_median", csv<&S::steps_median>, "steps", count<&S::steps_median>, 4, runs},
+      {"collisions_mean", csv<&S::collisions_mean>, "collisions", decimal<&S::collisions_mean, 2>, 5, runs},
+      {"struck_mean", csv<&S::struck_mean>, "struck", decimal<&S::struck_mean, 2>, 6, runs},
+      {"min_clearance_median", csv<&S::min_clearance_median>, "clearance",
+       decimal<&S::min_clearance_median, 2>, 8, runs},
+      {"oscillations_median", csv<&S::oscillations_median>, "oscillations", count<&S::oscillations_median>,
+       13, runs},
+      {"step_ms_median", csv<&S::step_ms_median>, "ms/step", three_digits<&S::step_ms_median>, 12, runs},
+      {"step_ms_p99_median", csv<&S::step_ms_p99_median>, "p99", three_digits<&S::step_ms_p99_median>, 14,
+       runs},
+      {"gave_up", number<&S::gave_up>, "gave up", number<&S::gave_up>, 0, failures},
+      {"crashed", number<&S::crashed>, "crashed", number<&S::crashed>, 0, failures},
+      {"invalid", number<&S::invalid>, "invalid", number<&S::invalid>, 0, failures},
   };
   return columns;
 }

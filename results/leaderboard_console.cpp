@@ -1,7 +1,7 @@
-// The leaderboard for people: aligned columns, percentages, one block per family when grouped,
-// and one more for runs through dynamic worlds.
-
+// The leaderboard for people: a headline and a table per group and track, in aligned columns that fit the
+// console.
 #include <algorithm>
+#include <span>
 
 #include "results/leaderboard.hpp"
 #include "results/leaderboard_columns.hpp"
@@ -10,87 +10,123 @@
 namespace pathrace::results {
 namespace {
 
-using Line = std::vector<std::string>;
+using Block = std::span<const Standing>;
 
-bool is_run(const Standing& standing) {
-  return standing.track == Track::dynamic;
-}
+constexpr std::size_t gutter = 2;          // letters between two columns
+constexpr std::size_t roomy_label = 36;    // columns go before labels become shorter,
+constexpr std::size_t shortest_label = 8;  // and this is how far those may shrink
 
-std::vector<LeaderboardColumn> shown_columns(bool runs) {
-  using Block = LeaderboardColumn::Block;
-  std::vector<LeaderboardColumn> shown;
-  for (const LeaderboardColumn& column : leaderboard_columns()) {
-    const bool here = column.block == Block::both || column.block == (runs ? Block::runs : Block::paths);
-    if (here && !column.console_name.empty()) shown.push_back(column);
+struct Column {
+  const LeaderboardColumn* card;
+  std::vector<std::string> cells;  // the name first
+  std::size_t width = 0;
+};
+
+bool belongs(const LeaderboardColumn& column, Block block) {
+  using Table = LeaderboardColumn::Table;
+  const bool runs = block.front().track == Track::dynamic;
+  switch (column.table) {
+    case Table::both: return !column.console_name.empty();
+    case Table::paths: return !runs;
+    case Table::runs: return runs;
+    case Table::where_not_zero:
+      return std::any_of(block.begin(), block.end(), [&](const Standing& s) { return column.csv(s) != "0"; });
   }
-  return shown;
+  return false;
 }
 
-/// Standings with the same columns, first to last.
-std::vector<Line> lines_of(const std::vector<Standing>& standings,
-                           const std::vector<LeaderboardColumn>& columns, bool runs) {
-  std::vector<Line> lines(1);
-  for (const LeaderboardColumn& column : columns) lines.front().emplace_back(column.console_name);
-  for (const Standing& standing : standings) {
-    if (is_run(standing) != runs) continue;
-    lines.emplace_back();
-    for (const LeaderboardColumn& column : columns) lines.back().push_back(column.console(standing));
+void measure(Column& column) {
+  column.width = 0;
+  for (const std::string& cell : column.cells) column.width = std::max(column.width, letter_count(cell));
+}
+
+std::vector<Column> columns_of(Block block) {
+  std::vector<Column> columns;
+  for (const LeaderboardColumn& card : leaderboard_columns()) {
+    if (!belongs(card, block)) continue;
+    Column& column = columns.emplace_back(Column{&card, {std::string(card.console_name)}});
+    for (const Standing& standing : block) column.cells.push_back(card.console(standing));
+    measure(column);
   }
-  return lines;
+  return columns;
 }
 
-std::vector<std::size_t> widths_of(const std::vector<Line>& lines) {
-  std::vector<std::size_t> widths(lines.front().size(), 0);
-  for (const Line& line : lines) {
-    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], letter_count(line[i]));
+// Of a line, with labels of at most `label` letters.
+std::size_t width_of(const std::vector<Column>& columns, std::size_t label) {
+  std::size_t width = gutter * (columns.size() - 1);
+  for (const Column& column : columns) {
+    width += column.card->label ? std::min(column.width, label) : column.width;
   }
-  return widths;
+  return width;
 }
 
-std::string laid_out(const Line& line, const std::vector<LeaderboardColumn>& columns,
-                     const std::vector<std::size_t>& widths) {
+void fit(std::vector<Column>& columns, std::size_t width) {
+  while (width_of(columns, roomy_label) > width) {
+    const auto sparest =
+        std::max_element(columns.begin(), columns.end(),
+                         [](const Column& a, const Column& b) { return a.card->spare < b.card->spare; });
+    if (sparest->card->spare == 0) break;
+    columns.erase(sparest);
+  }
+  const std::size_t others = width_of(columns, 0);
+  for (Column& column : columns) {
+    if (!column.card->label) continue;
+    for (std::string& cell : column.cells) {
+      cell = shortened(cell, std::max(shortest_label, width - std::min(width, others)));
+    }
+    measure(column);
+  }
+}
+
+std::string line_of(const std::vector<Column>& columns, std::size_t row) {
   std::string text;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const std::string blanks(widths[i] - letter_count(line[i]), ' ');
-    text += (i == 0 ? "" : "  ") + (columns[i].left ? line[i] + blanks : blanks + line[i]);
+  for (const Column& column : columns) {
+    const std::string& cell = column.cells[row];
+    const std::string blanks(column.width - letter_count(cell), ' ');
+    if (!text.empty()) text.append(gutter, ' ');
+    text += column.card->label ? cell + blanks : blanks + cell;
   }
   text.erase(text.find_last_not_of(' ') + 1);
   return text;
 }
 
+std::string headline_of(const Standing& standing) {
+  const std::string group = standing.group.empty() ? "" : standing.group + ", ";
+  switch (standing.track) {
+    case Track::lattice: return group + "lattice: from cell to cell";
+    case Track::any_angle: return group + "any_angle: straight through free space";
+    case Track::dynamic: return group + "dynamic: among moving discs";
+  }
+  return group;
+}
+
+void print_table(std::ostream& out, Block block, std::size_t width) {
+  std::vector<Column> columns = columns_of(block);
+  if (width > 0) fit(columns, width);
+  out << headline_of(block.front()) << '\n';
+  for (std::size_t row = 0; row <= block.size(); ++row) out << line_of(columns, row) << '\n';
+  out << '\n';
+}
+
 }  // namespace
 
-void print_console(std::ostream& out, const std::vector<Standing>& standings) {
+void print_console(std::ostream& out, const std::vector<Standing>& standings, std::size_t width) {
   if (standings.empty()) {
     out << "no trials\n";
     return;
   }
-  struct Table {
-    std::vector<LeaderboardColumn> columns;
-    std::vector<Line> lines;
-    std::vector<std::size_t> widths;
-    std::size_t next = 1;
-  };
-  Table tables[2];
-  for (const bool runs : {false, true}) {
-    Table& table = tables[runs ? 1 : 0];
-    table.columns = shown_columns(runs);
-    table.lines = lines_of(standings, table.columns, runs);
-    table.widths = widths_of(table.lines);
+  const auto crowded = [](const Standing& standing) { return standing.crowded; };
+  for (auto begin = standings.begin(); begin != standings.end();) {
+    const auto end = std::find_if(begin, standings.end(), [&](const Standing& standing) {
+      return standing.group != begin->group || standing.track != begin->track;
+    });
+    print_table(out, Block(begin, end), width);
+    begin = end;
   }
-  bool crowded = false;
-  for (std::size_t i = 0; i < standings.size(); ++i) {
-    const Standing& standing = standings[i];
-    Table& table = tables[is_run(standing) ? 1 : 0];
-    const bool new_group = i == 0 || standing.group != standings[i - 1].group;
-    const bool opens = new_group || is_run(standing) != is_run(standings[i - 1]);
-    if (opens && i > 0) out << '\n';
-    if (new_group && !standing.group.empty()) out << standing.group << '\n';
-    if (opens) out << laid_out(table.lines.front(), table.columns, table.widths) << '\n';
-    out << laid_out(table.lines[table.next++], table.columns, table.widths) << '\n';
-    crowded = crowded || standing.crowded;
+  out << ranking_rule << '\n';
+  if (std::any_of(standings.begin(), standings.end(), crowded)) {
+    out << "~ trials ran side by side: compare their times with care\n";
   }
-  if (crowded) out << "~ trials ran side by side: compare their times with care\n";
 }
 
 }  // namespace pathrace::results

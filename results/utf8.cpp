@@ -44,4 +44,18 @@ std::size_t letter_count(std::string_view text) {
   return count;
 }
 
+std::string shortened(std::string_view text, std::size_t letters) {
+  const std::size_t count = letter_count(text);
+  if (count <= letters) return std::string(text);
+  const auto from = [text](std::size_t letter) {
+    std::string_view rest = text;
+    for (; letter > 0; --letter) rest.remove_prefix(std::max<std::size_t>(1, letter_size(rest)));
+    return rest;
+  };
+  const std::size_t head = letters / 2;
+  const std::size_t tail = letters - 1 - head;
+  const std::string_view begin = text.substr(0, text.size() - from(head).size());
+  return std::string(begin) + "\u2026" + std::string(from(count - tail));
+}
+
 }  // namespace pathrace::results

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace pathrace::results {
@@ -10,5 +11,7 @@ namespace pathrace::results {
 std::size_t letter_size(std::string_view text);
 /// Number of letters; a byte that is no UTF-8 counts as one.
 std::size_t letter_count(std::string_view text);
+/// The text in so many letters, at least 1: an ellipsis stands for the middle of a longer one.
+std::string shortened(std::string_view text, std::size_t letters);
 
 }  // namespace pathrace::results

@@ -1,6 +1,8 @@
 // `leaderboard`: the standings of a run, finished or not.
 #include "results/leaderboard.hpp"
 
+#include <fmt/format.h>
+
 #include <iostream>
 #include <memory>
 #include <sstream>
@@ -16,6 +18,7 @@ struct LeaderboardCommand {
   std::string folder;
   std::string by;
   std::string csv;
+  bool wide = false;
 };
 
 int leaderboard_command(const LeaderboardCommand& command) {
@@ -30,7 +33,7 @@ int leaderboard_command(const LeaderboardCommand& command) {
     results::write_csv(text, standings);
     write_file(command.csv, text.str());
   }
-  results::print_console(std::cout, standings);
+  results::print_console(std::cout, standings, command.wide ? 0 : results::console_width);
   return done;
 }
 
@@ -41,8 +44,10 @@ void add_leaderboard(CLI::App& app) {
   CLI::App* options = add_command(app, "leaderboard", "print the leaderboard of a run, finished or not",
                                   "pathrace leaderboard runs/starter-1 --by family",
                                   [command] { return leaderboard_command(*command); });
+  options->footer(fmt::format("{}\n{}", results::ranking_rule, options->get_footer()));
   options->add_option("folder", command->folder, "the folder of a run")->required()->type_name("DIR");
   options->add_option("--by", command->by, "one table per scenario family")->type_name("family");
+  options->add_flag("--wide", command->wide, "every column and whole labels, however long the lines");
   options->add_option("--csv", command->csv, "write the table as CSV as well")->type_name("FILE");
 }
 

@@ -190,6 +190,32 @@ TEST(Leaderboard, HasARowPerTrack) {
   EXPECT_EQ(standings[1].trials, 2U);
 }
 
+TEST(Leaderboard, RanksEachTrackFromOne) {
+  Race race;
+  TrialRow row = solved_row(0, "c", "dense/10-20/1");
+  row.track = Track::any_angle;
+  race.solved("a", 0.5).solved("b", 0.25).add(row);
+  row.planner = "d";
+  row.gap = 0.5;
+  race.add(row).add(run_row(0, "e", "discs/open/1"));
+  EXPECT_EQ(order(race.standings()), "1b 2a 1c 2d 1e");
+}
+
+TEST(Leaderboard, CountsTrialsThatGaveUpCrashedOrWereRefused) {
+  Race race;
+  TrialRow row = failed_row(0, "as", "dense/10-20/1");
+  for (const auto& [verdict, times] : {std::pair(Verdict::gave_up, 1), std::pair(Verdict::crashed, 2),
+                                       std::pair(Verdict::invalid, 3), std::pair(Verdict::budget, 4)}) {
+    row.verdict = verdict;
+    for (int i = 0; i < times; ++i) race.add(row);
+  }
+  race.solved("as", 0);
+  EXPECT_EQ(race.only().trials, 11U);
+  EXPECT_EQ(race.only().gave_up, 1U);
+  EXPECT_EQ(race.only().crashed, 2U);
+  EXPECT_EQ(race.only().invalid, 3U);
+}
+
 TEST(Leaderboard, RanksRunsThroughWorldsApartFromPathsOnMaps) {
   Race race;
   race.solved("b", 0.5).failed("c").add(run_row(0, "a", "discs/open/1"));
@@ -216,18 +242,45 @@ TEST(Leaderboard, RanksRunsThroughWorldsApartFromPathsOnMaps) {
 TEST(Leaderboard, RanksWithinEachFamily) {
   Race race;
   race.solved("a", 0.5, "trap-u/20/1").solved("b", 0.25, "trap-u/20/2");
-  race.solved("a", 0.25, "dense/10-20/1").solved("b", 0.5, "dense/20-20/1");
+  race.solved("a", 0.25, "dense/10-20/1").solved("b", 0.5, "dense/10-20/2");
   const std::vector<Standing> standings = race.standings(Grouping::family);
   EXPECT_EQ(order(standings), "1a 2b 1b 2a");
-  EXPECT_EQ(standings[0].group, "dense");
-  EXPECT_EQ(standings[3].group, "trap-u");
+  EXPECT_EQ(standings[0].group, "dense/10-20");
+  EXPECT_EQ(standings[3].group, "trap-u/20");
   EXPECT_EQ(order(race.standings()), "1a 1b");
 }
 
-TEST(Leaderboard, KnowsAFamilyByTheIdUpToItsFirstSlash) {
-  EXPECT_EQ(family_of("dense/10-20/1"), "dense");
+TEST(Leaderboard, KnowsAFamilyByTheIdWithoutWhatNumbersItsQuestions) {
+  EXPECT_EQ(family_of("dense/10-20/1"), "dense/10-20");
+  EXPECT_EQ(family_of("discs/ring/12"), "discs/ring");
+  EXPECT_EQ(family_of("trap-u/20/3"), "trap-u/20");
+  EXPECT_EQ(family_of("movingai/dao/arena/7"), "movingai/dao/arena");
+  EXPECT_EQ(family_of("map/office/1,2/30,4"), "map/office");
+  EXPECT_EQ(family_of("map/plan 2,3/1"), "map/plan 2,3");
   EXPECT_EQ(family_of("asr/fig2"), "asr");
   EXPECT_EQ(family_of("alone"), "alone");
+}
+
+TEST(Leaderboard, CountsAPlannerThatDrawsNothingOncePerScenario) {
+  Race race;
+  for (const std::string scenario : {"dense/10-20/1", "dense/10-20/2"}) {
+    for (const std::uint64_t repetition : {1U, 0U, 2U}) {
+      TrialRow row = solved_row(0, "draws", scenario);
+      row.repetition = repetition;
+      row.draws = true;
+      race.add(row);
+      row.planner = "fixed";
+      row.draws = false;
+      race.add(row);
+      row.planner = "unknown";
+      row.draws = std::nullopt;
+      race.add(row);
+    }
+  }
+  for (const Standing& standing : race.standings()) {
+    EXPECT_EQ(standing.trials, standing.planner == "fixed" ? 2U : 6U) << standing.planner;
+    EXPECT_EQ(standing.success, 1);
+  }
 }
 
 TEST(Leaderboard, IsCrowdedWhenOneTrialWas) {

@@ -28,5 +28,15 @@ TEST(Utf8, CountsLettersAndStrayBytes) {
   EXPECT_EQ(letter_count("\xFF\xFE!"), 3U);
 }
 
+TEST(Utf8, ShortensTextInItsMiddle) {
+  EXPECT_EQ(shortened("abcdef", 6), "abcdef");
+  EXPECT_EQ(shortened("abcdefg", 6), "abc\u2026fg");
+  EXPECT_EQ(shortened("abcdefg", 5), "ab\u2026fg");
+  EXPECT_EQ(shortened("abcdefg", 2), "a\u2026");
+  EXPECT_EQ(shortened("abcdefg", 1), "\u2026");
+  EXPECT_EQ(shortened("\u00e9\u00e8\u00ea\u00eb", 3), "\u00e9\u2026\u00eb");
+  EXPECT_EQ(shortened("", 1), "");
+}
+
 }  // namespace
 }  // namespace pathrace::results
