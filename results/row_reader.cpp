@@ -120,6 +120,16 @@ std::uint64_t answer_checksum(SQLite::Statement& statement) {
   return checksum(texts);
 }
 
+OutcomeCount read_outcome(SQLite::Statement& statement) {
+  Columns columns(statement);
+  OutcomeCount outcome;
+  outcome.planner = columns.text();
+  outcome.verdict = columns.named<Verdict>();
+  outcome.noted = columns.flag();
+  outcome.trials = columns.count();
+  return outcome;
+}
+
 void read_scenario(SQLite::Statement& statement, ScenarioRow& row) {
   Columns columns(statement);
   row.id = columns.text();

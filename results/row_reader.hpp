@@ -4,6 +4,7 @@
 
 #include <SQLiteCpp/Statement.h>
 
+#include "results/outcome_count.hpp"
 #include "results/row.hpp"
 #include "results/scenario_row.hpp"
 
@@ -18,6 +19,9 @@ void read_full(SQLite::Statement& statement, TrialRow& row);
 
 /// Of path, trace and counters, from the current row of select_full().
 std::uint64_t answer_checksum(SQLite::Statement& statement);
+
+/// The current row of select_outcomes().
+OutcomeCount read_outcome(SQLite::Statement& statement);
 
 /// The question of the current row of select_scenarios(), and its feature if there is one.
 void read_scenario(SQLite::Statement& statement, ScenarioRow& row);

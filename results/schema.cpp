@@ -114,6 +114,11 @@ std::string select_full() {
       slim_columns, joined);
 }
 
+std::string select_outcomes() {
+  return "SELECT p.label AS planner, t.verdict AS verdict, t.note <> '' AS noted, count(*) AS trials "
+         "FROM trial AS t LEFT JOIN planner AS p ON p.number = t.planner GROUP BY 1, 2, 3 ORDER BY 1, 2, 3";
+}
+
 std::string select_scenarios() {
   return "SELECT s.id AS id, s.rule AS rule, l.length AS optimum, a.length AS any_angle_optimum, q.width AS "
          "width, q.height AS height, "

@@ -41,6 +41,8 @@ std::string migrate_version_5();
 std::string select_slim();
 /// The same, followed by the columns `path_track`, `path`, `trace`, `counters` and their checksum.
 std::string select_full();
+/// The columns of an OutcomeCount.
+std::string select_outcomes();
 /// Every described scenario in order of insertion, a row per feature, or one without a name of a feature.
 std::string select_scenarios();
 /// The names of all features, in the order in which they were first stored.

@@ -217,6 +217,18 @@ std::vector<KeyedDigest> Store::digests() const {
   return digests;
 }
 
+std::vector<OutcomeCount> Store::outcomes() const {
+  std::vector<OutcomeCount> outcomes;
+  impl_->scan(select_outcomes(), [&](SQLite::Statement& statement, std::uint64_t&) {
+    try {
+      outcomes.push_back(read_outcome(statement));
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: damaged: {}", impl_->file.string(), error.what()));
+    }
+  });
+  return outcomes;
+}
+
 void Store::for_each(const Visit& visit) const {
   impl_->visit_rows(select_full(), read_full, impl_->unaltered(visit));
 }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/record.hpp"
+#include "results/outcome_count.hpp"
 #include "results/row.hpp"
 #include "results/scenario_row.hpp"
 
@@ -82,6 +83,8 @@ class Store {
   std::uint64_t size() const;
   std::unordered_set<std::uint64_t> keys() const;
   std::vector<KeyedDigest> digests() const;
+  /// Sorted by label, then by the verdict's name.
+  std::vector<OutcomeCount> outcomes() const;
   /// Every row in order of insertion. The row that `visit` sees is overwritten by the next one.
   void for_each(const Visit& visit) const;
   /// The same, altered rows included.

@@ -9,6 +9,7 @@
 #include "bench/cli/command.hpp"
 #include "bench/cli/options.hpp"
 #include "bench/describe.hpp"
+#include "bench/failure_lines.hpp"
 #include "bench/machine.hpp"
 #include "bench/progress.hpp"
 #include "bench/recorder.hpp"
@@ -207,6 +208,7 @@ int run_command(const RunCommand& command) {
   }
   results::print_console(std::cout, results::leaderboard(store, results::Grouping::all));
   std::cout.flush();
+  for (const std::string& line : failure_lines(store.outcomes())) say(line);
   say(fmt::format("results in {}", folder.path.string()));
   return done;
 }

@@ -87,6 +87,28 @@ TEST(Run, WithoutOmplTheStarterLeavesItsPlannersOutAndAFileThatNamesThemIsRefuse
 }
 #endif
 
+TEST(Run, CountsAtItsEndWhatFailed) {
+  const ScratchFolder scratch;
+  const std::string campaign = scratch.file("trap.toml", R"([campaign]
+name = "trap"
+repetitions = 2
+[[planner]]
+name = "greedy"
+[[planner]]
+name = "astar"
+[[scenarios]]
+select = ["trap-u/20/1"]
+)");
+  const Finished run = pathrace({"run", campaign, "--out", scratch / "run", "--backend", "threads"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_NE(run.err.find("trials without a result: gave up 2 (greedy 2)\n"), std::string::npos) << run.err;
+  const Finished help = pathrace({"leaderboard", "--help"});
+  EXPECT_NE(help.out.find("Ranked on each track by success, then gap"), std::string::npos);
+  const std::string shown = pathrace({"leaderboard", scratch / "run"}).out;
+  EXPECT_NE(shown.find("gave up"), std::string::npos) << shown;
+  EXPECT_EQ(shown.find("crashed"), std::string::npos) << shown;
+}
+
 TEST(Run, ADryRunRunsNothing) {
   const ScratchFolder scratch;
   const Finished dry =

@@ -177,5 +177,21 @@ TEST(Store, LeavesOneFileWhenEverybodyIsDone) {
   EXPECT_EQ(files, 1U);
 }
 
+TEST(Store, SumsUpHowTrialsEnded) {
+  const TemporaryFolder folder;
+  Store store = Store::create(folder / "results.db", some_identity());
+  EXPECT_TRUE(store.outcomes().empty());
+  TrialRow noted = failed_row(4, "b", "y");
+  noted.verdict = Verdict::gave_up;
+  TrialRow doubtful = noted;
+  doubtful.key = 5;
+  doubtful.note = "why";
+  store.append({solved_row(1, "b", "x"), solved_row(2, "b", "y"), failed_row(3, "a", "x"), noted, doubtful});
+  EXPECT_EQ(store.outcomes(), (std::vector<OutcomeCount>{{"a", Verdict::budget, false, 1},
+                                                         {"b", Verdict::gave_up, false, 1},
+                                                         {"b", Verdict::gave_up, true, 1},
+                                                         {"b", Verdict::solved, false, 2}}));
+}
+
 }  // namespace
 }  // namespace pathrace::results
