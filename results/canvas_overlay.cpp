@@ -1,5 +1,6 @@
 #include "results/canvas_overlay.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -9,7 +10,9 @@ namespace pathrace::results {
 namespace {
 
 Point placed(const MapPlace& place, Point point) {
-  return {place.left + (point.x + 0.5) * place.scale, place.top + (point.y + 0.5) * place.scale};
+  constexpr double far = 1e5;  // an answer that was refused may lead anywhere
+  return {std::clamp(place.left + (point.x + 0.5) * place.scale, -far, far),
+          std::clamp(place.top + (point.y + 0.5) * place.scale, -far, far)};
 }
 
 void shade_cell(Canvas& canvas, const MapPlace& place, Cell cell, int shade) {
@@ -41,7 +44,8 @@ void paint_shapes(Canvas& canvas, const MapPlace& place, const Overlay& overlay)
   }
   std::vector<Point> line;
   for (const Point point : overlay.polyline) line.push_back(placed(place, point));
-  if (line.size() > 1) canvas.stroke(segments_of(line), overlay_line, palette.start);
+  if (line.size() > 1)
+    canvas.stroke(dashes_of(line, overlay_dash * overlay_line), overlay_line, palette.start);
 }
 
 }  // namespace pathrace::results

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/gap.hpp"
+#include "results/outcome_count.hpp"
 #include "results/polyline.hpp"
 #include "results/world_picture.hpp"
 
@@ -19,12 +20,23 @@ double scale_of(int longest) {
   return std::clamp(std::round(usual / longest), 1.0, 48.0);
 }
 
-std::string caption_of(const Scenario& scenario, const Answer& answer) {
-  std::string caption = answer ? fmt::format("length {:.2f}", polyline_length(answer->points)) : "no path";
-  const auto optimum = reference_length(scenario, answer ? answer->track : Track::lattice);
-  if (optimum) caption += fmt::format("  \u00b7  optimum {:.2f}", *optimum);
+// What came out, with a separator behind it; nothing for a question.
+std::string outcome_of(const Shown& shown, const std::vector<Point>& dashed) {
+  if (shown.solved() && !shown.answer) return "";
+  std::string text = shown.solved() ? fmt::format("length {:.2f}", polyline_length(shown.answer->points))
+                                    : in_words(*shown.verdict);
+  if (!shown.solved() && !dashed.empty()) {
+    text += fmt::format("  \u00b7  dashed: no answer, length {:.2f}", polyline_length(dashed));
+  }
+  return text + "  \u00b7  ";
+}
+
+std::string caption_of(const Scenario& scenario, const Shown& shown, const std::vector<Point>& dashed) {
+  std::string caption = outcome_of(shown, dashed);
+  const auto optimum = reference_length(scenario, shown.track);
+  if (optimum) caption += fmt::format("optimum {:.2f}  \u00b7  ", *optimum);
   const OccupancyGrid& grid = scenario.grid();
-  return caption + fmt::format("  \u00b7  {} \u00d7 {} cells  \u00b7  rule {}", grid.width(), grid.height(),
+  return caption + fmt::format("{} \u00d7 {} cells  \u00b7  rule {}", grid.width(), grid.height(),
                                name(scenario.terrain.rule));
 }
 
@@ -55,13 +67,16 @@ PictureLayout layout_of(const OccupancyGrid& grid) {
   return layout;
 }
 
-void draw_picture(Pen& pen, const PictureLayout& layout, const Scenario& scenario, const Answer& answer,
-                  const Overlay& overlay, const std::string& title) {
-  if (scenario.world) return draw_world_picture(pen, layout, *scenario.world, answer, overlay, title);
+void draw_picture(Pen& pen, const PictureLayout& layout, const Scenario& scenario, const Shown& shown) {
+  if (scenario.world) return draw_world_picture(pen, layout, *scenario.world, shown);
+  Overlay overlay = shown.overlay;
+  if (!shown.solved() && shown.answer) overlay.polyline = corners_of(shown.answer->points);
   const double room = layout.width - 2 * layout.margin;
-  pen.text(layout.margin, 25, {16, Weight::bold, palette.ink}, title, room);
-  pen.text(layout.margin, 44, {12, Weight::normal, palette.faint}, caption_of(scenario, answer), room);
-  pen.map(layout.left, layout.head, layout.scale, scenario, answer, overlay);
+  pen.text(layout.margin, 25, {16, Weight::bold, palette.ink}, shown.title, room);
+  pen.text(layout.margin, 44, {12, Weight::normal, palette.faint},
+           caption_of(scenario, shown, overlay.polyline), room);
+  pen.map(layout.left, layout.head, layout.scale, scenario, shown.solved() ? shown.answer : std::nullopt,
+          overlay);
   draw_legend(pen, layout, scenario);
 }
 

@@ -1,11 +1,24 @@
 // A scenario and an answer as a picture: title, caption, map with path, start and goal, legend.
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "core/record.hpp"
 #include "results/pen.hpp"
 
 namespace pathrace::results {
+
+/// What a picture shows.
+struct Shown {
+  std::string title;
+  Answer answer = {};                   ///< none: the question
+  Track track = Track::lattice;         ///< whose optimum the caption states
+  std::optional<Verdict> verdict = {};  ///< of the trial; unless solved, its path is no answer
+  Overlay overlay = {};                 ///< what the planner thought
+
+  bool solved() const { return !verdict || *verdict == Verdict::solved; }
+};
 
 /// Where things are, in pixels.
 struct PictureLayout {
@@ -24,8 +37,8 @@ struct PictureLayout {
 /// About 800 pixels, at most 1600 a side for the map, whatever its size.
 PictureLayout layout_of(const OccupancyGrid& grid);
 
-/// Points that are not finite are left out. Without an answer it shows the question.
-void draw_picture(Pen& pen, const PictureLayout& layout, const Scenario& scenario, const Answer& answer,
-                  const Overlay& overlay, const std::string& title);
+/// Points that are not finite are left out. A path that is no answer is dashed on maps and grey in worlds,
+/// and the caption says so.
+void draw_picture(Pen& pen, const PictureLayout& layout, const Scenario& scenario, const Shown& shown);
 
 }  // namespace pathrace::results

@@ -6,12 +6,11 @@
 
 namespace pathrace::results {
 
-void write_png(std::ostream& out, const Scenario& scenario, const Answer& answer, const std::string& title,
-               const Overlay& overlay) {
+void write_png(std::ostream& out, const Scenario& scenario, const Shown& shown) {
   const PictureLayout layout = layout_of(scenario.grid());
   Canvas canvas(static_cast<int>(layout.width), static_cast<int>(layout.height), palette.paper);
   CanvasPen pen(canvas);
-  draw_picture(pen, layout, scenario, answer, overlay, title);
+  draw_picture(pen, layout, scenario, shown);
   out << png_bytes(canvas);
 }
 

@@ -140,4 +140,26 @@ std::vector<Segment> segments_of(const std::vector<Point>& points) {
   return segments;
 }
 
+std::vector<Segment> dashes_of(const std::vector<Point>& points, double dash) {
+  std::vector<Segment> dashes;
+  bool drawn = true;
+  double left = dash;  // of the current piece
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const Point a = points[i - 1];
+    const Point way = {points[i].x - a.x, points[i].y - a.y};
+    const double length = std::sqrt(way.x * way.x + way.y * way.y);
+    const auto at = [&](double s) { return Point{a.x + way.x * (s / length), a.y + way.y * (s / length)}; };
+    for (double s = 0; s < length;) {
+      const double step = std::min(left, length - s);
+      if (drawn) dashes.push_back({at(s), at(s + step)});
+      s += step;
+      left -= step;
+      if (left > 0) break;
+      left = dash;
+      drawn = !drawn;
+    }
+  }
+  return dashes;
+}
+
 }  // namespace pathrace::results

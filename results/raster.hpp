@@ -56,5 +56,7 @@ class Canvas {
 
 /// The segments between neighbours of a polyline; a single point becomes a dot.
 std::vector<Segment> segments_of(const std::vector<Point>& points);
+/// Every other piece of a polyline, each `dash` long, the first one included.
+std::vector<Segment> dashes_of(const std::vector<Point>& points, double dash);
 
 }  // namespace pathrace::results

@@ -5,11 +5,10 @@
 
 namespace pathrace::results {
 
-void write_svg(std::ostream& out, const Scenario& scenario, const Answer& answer, const std::string& title,
-               const Overlay& overlay) {
+void write_svg(std::ostream& out, const Scenario& scenario, const Shown& shown) {
   const PictureLayout layout = layout_of(scenario.grid());
-  SvgPen pen(out, layout.width, layout.height, title);
-  draw_picture(pen, layout, scenario, answer, overlay, title);
+  SvgPen pen(out, layout.width, layout.height, shown.title);
+  draw_picture(pen, layout, scenario, shown);
   pen.finish();
 }
 

@@ -57,7 +57,7 @@ void write_svg_shapes(std::ostream& out, const Overlay& overlay, double scale,
   fmt::print(out,
              "<polyline fill=\"none\" stroke=\"{}\" stroke-width=\"{:.4g}\" stroke-dasharray=\"{:.4g}\" "
              "points=\"{}\"/>\n",
-             paints.start, width, 4 * width, points);
+             paints.start, width, overlay_dash * width, points);
 }
 
 }  // namespace pathrace::results

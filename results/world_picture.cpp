@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "results/outcome_count.hpp"
 #include "results/overlay_style.hpp"
 #include "results/polyline.hpp"
 #include "results/world_scene.hpp"
@@ -76,23 +77,24 @@ void draw_overlay(Pen& pen, const Place& place, const Overlay& overlay) {
   }
 }
 
-void draw_robot(Pen& pen, const Place& place, const World& world, const std::vector<Point>& points) {
+void draw_robot(Pen& pen, const Place& place, const World& world, const std::vector<Point>& points,
+                Colour colour) {
   pen.line(place.of(points), way_width + 3, palette.paper);
-  pen.line(place.of(points), way_width, palette.path);
+  pen.line(place.of(points), way_width, colour);
   for (const Point point : points) {
-    if (std::isfinite(point.x) && std::isfinite(point.y))
-      pen.disc(place.of(point), way_width - 0.5, palette.path);
+    if (std::isfinite(point.x) && std::isfinite(point.y)) pen.disc(place.of(point), way_width - 0.5, colour);
   }
   const std::vector<Point> finite = corners_of(points);
   if (finite.empty()) return;
   const double radius = std::max(world.robot_radius * place.scale, 2.0);
-  pen.ring(place.of(finite.back()), radius, 2, palette.path);
+  pen.ring(place.of(finite.back()), radius, 2, colour);
 }
 
-std::string caption_of(const World& world, const Answer& answer) {
-  std::string caption = answer ? fmt::format("{} steps  \u00b7  travelled {:.2f}", answer->points.size() - 1,
-                                             polyline_length(answer->points))
-                               : "before it moves";
+std::string caption_of(const World& world, const Shown& shown) {
+  std::string caption = shown.solved() ? "" : in_words(*shown.verdict) + "  \u00b7  ";
+  caption += shown.answer ? fmt::format("{} steps  \u00b7  travelled {:.2f}", shown.answer->points.size() - 1,
+                                        polyline_length(shown.answer->points))
+                          : "before it moves";
   if (world.least_steps)
     caption += fmt::format("  \u00b7  no run takes fewer than {} steps", *world.least_steps);
   return caption + fmt::format("  \u00b7  {} \u00d7 {} units  \u00b7  {} discs", world.width, world.height,
@@ -112,18 +114,17 @@ void draw_legend(Pen& pen, const PictureLayout& layout, const World& world, Poin
 
 }  // namespace
 
-void draw_world_picture(Pen& pen, const PictureLayout& layout, const World& world, const Answer& answer,
-                        const Overlay& overlay, const std::string& title) {
+void draw_world_picture(Pen& pen, const PictureLayout& layout, const World& world, const Shown& shown) {
   const double room = layout.width - 2 * layout.margin;
-  const std::vector<Point> points = answer ? answer->points : std::vector<Point>{};
+  const std::vector<Point> points = shown.answer ? shown.answer->points : std::vector<Point>{};
   const WorldScene scene = scene_of(world, points);
   const Place place{layout.left, layout.head, layout.scale};
-  pen.text(layout.margin, 25, {16, Weight::bold, palette.ink}, title, room);
-  pen.text(layout.margin, 44, {12, Weight::normal, palette.faint}, caption_of(world, answer), room);
+  pen.text(layout.margin, 25, {16, Weight::bold, palette.ink}, shown.title, room);
+  pen.text(layout.margin, 44, {12, Weight::normal, palette.faint}, caption_of(world, shown), room);
   draw_ground(pen, layout);
   draw_discs(pen, place, world, scene);
-  draw_overlay(pen, place, overlay);
-  draw_robot(pen, place, world, points);
+  draw_overlay(pen, place, shown.overlay);
+  draw_robot(pen, place, world, points, shown.solved() ? palette.path : palette.faint);
   const Point goal = place.of(scene.goal);
   const Point start = place.of(world.start);
   pen.goal_mark(goal.x, goal.y, mark_size);

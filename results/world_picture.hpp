@@ -2,8 +2,6 @@
 // the robot's way.
 #pragma once
 
-#include <string>
-
 #include "core/world.hpp"
 #include "results/picture.hpp"
 
@@ -11,7 +9,6 @@ namespace pathrace::results {
 
 /// Discs are drawn where the run ended, rings and lines show how they came there. Without an answer it shows
 /// the world before it moves. The overlay's circles, line and points are in units of the world.
-void draw_world_picture(Pen& pen, const PictureLayout& layout, const World& world, const Answer& answer,
-                        const Overlay& overlay, const std::string& title);
+void draw_world_picture(Pen& pen, const PictureLayout& layout, const World& world, const Shown& shown);
 
 }  // namespace pathrace::results

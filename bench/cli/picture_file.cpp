@@ -47,10 +47,10 @@ void write_picture(const std::string& file, const Scenario& scenario, const Answ
   require_extension(file, {".png", ".svg"});
   std::ostringstream bytes;
   if (std::filesystem::path(file).extension() == ".png") {
-    results::write_png(bytes, scenario, answer, title);
+    results::write_png(bytes, scenario, {title, answer});
   } else {
     require_svg_size(file, scenario);
-    results::write_svg(bytes, scenario, answer, title);
+    results::write_svg(bytes, scenario, {title, answer});
   }
   write_file(file, bytes.str());
 }

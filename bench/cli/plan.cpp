@@ -20,6 +20,7 @@
 #include "core/hash.hpp"
 #include "core/referee.hpp"
 #include "results/json.hpp"
+#include "results/outcome_count.hpp"
 #include "results/picture_png.hpp"
 #include "results/row.hpp"
 #include "results/svg.hpp"
@@ -142,15 +143,17 @@ void print_summary(const results::TrialRow& row, bool moves) {
 
 void write_pictures(const PlanCommand& command, const Scenario& scenario, const results::TrialRow& row,
                     const Overlay& overlay) {
-  const std::string title = fmt::format("{} on {}", row.planner, row.scenario);
+  results::Shown shown{fmt::format("{} on {}", row.planner, row.scenario), row.answer, row.track, row.verdict,
+                       overlay};
+  if (!shown.solved()) shown.title += ": " + results::in_words(row.verdict);
   if (!command.svg.empty()) {
     std::ostringstream text;
-    results::write_svg(text, scenario, row.answer, title, overlay);
+    results::write_svg(text, scenario, shown);
     write_file(command.svg, text.str());
   }
   if (!command.png.empty()) {
     std::ostringstream bytes;
-    results::write_png(bytes, scenario, row.answer, title, overlay);
+    results::write_png(bytes, scenario, shown);
     write_file(command.png, bytes.str());
   }
   if (!command.trace.empty()) {
@@ -184,14 +187,21 @@ void write_frames(const PlanCommand& command, const Scenario& scenario, const re
                   const std::vector<Overlay>& steps) {
   if (command.frames.empty() || !row.answer) return;
   make_folder({command.frames});
-  Path way{Track::dynamic, {}};
+  results::Shown shown;
+  shown.answer.emplace().track = Track::dynamic;
   for (std::size_t k = 0; k < row.answer->points.size(); ++k) {
-    way.points.push_back(row.answer->points[k]);
+    shown.title = fmt::format("{} on {}, step {}", row.planner, row.scenario, k);
+    shown.answer->points.push_back(row.answer->points[k]);
+    shown.overlay = k > 0 ? steps[k - 1] : Overlay{};
     std::ostringstream bytes;
-    results::write_png(bytes, scenario, way, fmt::format("{} on {}, step {}", row.planner, row.scenario, k),
-                       k > 0 ? steps[k - 1] : Overlay{});
+    results::write_png(bytes, scenario, shown);
     write_file(std::filesystem::path(command.frames) / fmt::format("{:04}.png", k), bytes.str());
   }
+}
+
+int exit_code_of(Verdict verdict) {
+  if (verdict == Verdict::bad_scenario) return bad_input;
+  return is_fault(verdict) ? something_found : done;
 }
 
 // Proves what the gap counts from, too.
@@ -242,7 +252,7 @@ int plan_command(const PlanCommand& command) {
   }
   write_pictures(command, scenario, row, collected(overlays));
   write_frames(command, scenario, row, overlays);
-  return done;
+  return exit_code_of(row.verdict);
 }
 
 }  // namespace

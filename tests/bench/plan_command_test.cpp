@@ -52,6 +52,31 @@ TEST(Plan, StartOnTheGoalAndNoWayAreAnswersNotErrors) {
   EXPECT_TRUE(nowhere["cells"].is_null());
 }
 
+TEST(Plan, FailsWhenThePlannerDidNotWhenThereIsNoAnswer) {
+  const auto plan = [](const std::string& scenario, const std::string& planner) {
+    const Finished finished = pathrace({"plan", "--scenario", scenario, "--planner", planner, "--json"});
+    return std::pair(Json::parse(finished.out)["verdict"].get<std::string>(), finished.exit_code);
+  };
+  using Outcome = std::pair<std::string, int>;
+  EXPECT_EQ(plan("trap-u/20/1", "astar"), Outcome("solved", 0));
+  EXPECT_EQ(plan("trap-u/20/1", "greedy"), Outcome("gave_up", 0));
+  EXPECT_EQ(plan("trap-u/20/1", "straight"), Outcome("unsupported", 0));
+  EXPECT_EQ(plan("discs/dense/1", "straight"), Outcome("invalid", 1));  // it drives into discs
+}
+
+TEST(Plan, APictureSaysHowATrialWithoutAnAnswerEnded) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(pathrace({"plan", "--scenario", "trap-u/20/1", "--planner", "greedy", "--svg", scratch / "a.svg"})
+                .exit_code,
+            0);
+  std::ifstream svg(scratch / "a.svg");
+  std::stringstream text;
+  text << svg.rdbuf();
+  EXPECT_NE(text.str().find(">greedy on trap-u/20/1: gave up<"), std::string::npos);
+  EXPECT_NE(text.str().find(">gave up  "), std::string::npos);
+  EXPECT_EQ(text.str().find("no path"), std::string::npos);
+}
+
 TEST(Plan, RepeatsARowOfACampaign) {
   const ScratchFolder scratch;
   const std::string campaign = scratch.file("one.toml", R"([campaign]

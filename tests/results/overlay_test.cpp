@@ -29,7 +29,7 @@ Overlay overlay() {
 
 std::string svg(const Overlay& drawn) {
   std::ostringstream out;
-  write_svg(out, question(), std::nullopt, "a title", drawn);
+  write_svg(out, question(), {.title = "a title", .overlay = drawn});
   return out.str();
 }
 
@@ -68,6 +68,26 @@ TEST(CanvasOverlay, DrawsTheCirclesOfThePlanner) {
   paint_shapes(canvas, {0, 0, 10}, {{{{1, 1}, 1}}, {}, {}, {}});
   EXPECT_NE(canvas.at(25, 15), palette.ground);  // centre at 15,15, radius 10
   EXPECT_EQ(canvas.at(15, 15), palette.ground);
+}
+
+TEST(CanvasOverlay, DashesTheLineOfThePlanner) {
+  Canvas canvas(60, 10, palette.ground);
+  paint_shapes(canvas, {0, 0, 10}, {{}, {{0, 0}, {4, 0}}, {}, {}});  // from 5 to 45; pieces of 4 x 1.5
+  EXPECT_NE(canvas.at(7, 5), palette.ground);
+  EXPECT_EQ(canvas.at(14, 5), palette.ground);
+  EXPECT_NE(canvas.at(20, 5), palette.ground);
+}
+
+TEST(Dashes, AreEveryOtherPieceAndGoRoundCorners) {
+  const std::vector<Segment> dashes = dashes_of({{0, 0}, {3, 0}, {3, 9}}, 2);  // 12 long
+  ASSERT_EQ(dashes.size(), 3U);
+  EXPECT_EQ(dashes[0].from, (Point{0, 0}));
+  EXPECT_EQ(dashes[0].to, (Point{2, 0}));
+  EXPECT_EQ(dashes[1].from, (Point{3, 1}));
+  EXPECT_EQ(dashes[1].to, (Point{3, 3}));
+  EXPECT_EQ(dashes[2].from, (Point{3, 5}));
+  EXPECT_EQ(dashes[2].to, (Point{3, 7}));
+  EXPECT_TRUE(dashes_of({{1, 1}}, 2).empty());
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ Scenario scenario_on(const OccupancyGrid& grid, Cell start, Cell goal) {
 
 std::string png(const Scenario& scenario, const Answer& answer, const std::string& title = "a title") {
   std::ostringstream out;
-  write_png(out, scenario, answer, title);
+  write_png(out, scenario, {title, answer});
   return out.str();
 }
 

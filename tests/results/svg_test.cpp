@@ -30,7 +30,7 @@ Scenario scenario_on(const OccupancyGrid& grid, Cell start, Cell goal) {
 
 std::string svg(const Scenario& scenario, const Answer& answer, const std::string& title = "a title") {
   std::ostringstream out;
-  write_svg(out, scenario, answer, title);
+  write_svg(out, scenario, {title, answer});
   return out.str();
 }
 
@@ -71,6 +71,53 @@ TEST(Svg, IsWellFormedWhateverTheTitle) {
   }
 }
 
+std::string svg_of(const Scenario& scenario, const Shown& shown) {
+  std::ostringstream out;
+  write_svg(out, scenario, shown);
+  return out.str();
+}
+
+TEST(Svg, SaysHowATrialWithoutAnAnswerEnded) {
+  const Scenario scenario = scenario_on(grid_of({"...", "..."}), {0, 0}, {2, 1});
+  EXPECT_NE(svg_of(scenario, {.title = "t", .verdict = Verdict::no_path}).find(">no path  "),
+            std::string::npos);
+  const std::string gave_up = svg_of(scenario, {.title = "t", .verdict = Verdict::gave_up});
+  EXPECT_NE(gave_up.find(">gave up  "), std::string::npos) << gave_up;
+  EXPECT_EQ(gave_up.find("stroke-dasharray"), std::string::npos);
+}
+
+TEST(Svg, DrawsAPathThatIsNoAnswerDashed) {
+  const Scenario scenario = scenario_on(grid_of({"....", "...."}), {0, 0}, {3, 0});
+  const Path path = lattice_path({{0, 0}, {1, 0}, {2, 0}});
+  const std::string line = "points=\"0,0 2,0\"";
+  const std::string refused = svg_of(scenario, {"t", path, Track::lattice, Verdict::invalid});
+  const std::string approximate =
+      svg_of(scenario, {"t", {}, Track::lattice, Verdict::budget, {{}, {{0, 0}, {2, 0}}, {}, {}}});
+  for (const std::string& picture : {refused, approximate}) {
+    EXPECT_EQ(count(picture, line), 1U) << picture;
+    EXPECT_EQ(count(picture, "stroke-dasharray"), 1U);
+    EXPECT_NE(picture.find("dashed: no answer, length 2.00"), std::string::npos);
+    EXPECT_EQ(picture.find("no path"), std::string::npos);
+  }
+  EXPECT_NE(refused.find(">invalid  "), std::string::npos);
+  EXPECT_NE(approximate.find(">budget  "), std::string::npos);
+  const std::string solved = svg_of(scenario, {"t", path, Track::lattice, Verdict::solved});
+  EXPECT_EQ(solved.find("stroke-dasharray"), std::string::npos);
+  EXPECT_NE(solved.find(">length 2.00  "), std::string::npos);
+}
+
+TEST(Svg, StatesTheOptimumOfItsOwnTrack) {
+  Scenario scenario = scenario_on(grid_of({"...", "..."}), {0, 0}, {2, 1});
+  scenario.optimum = {true, LatticeLength{1, 1}};  // 2.41
+  EXPECT_EQ(svg_of(scenario, {"t", {}, Track::any_angle, Verdict::gave_up}).find("optimum"),
+            std::string::npos);
+  scenario.any_angle_optimum = {true, 2.25};
+  EXPECT_NE(svg_of(scenario, {"t", {}, Track::any_angle, Verdict::gave_up}).find("optimum 2.25"),
+            std::string::npos);
+  EXPECT_NE(svg_of(scenario, {"t", {}, Track::lattice, Verdict::gave_up}).find("optimum 2.41"),
+            std::string::npos);
+}
+
 TEST(Svg, ShowsTitleLengthAndOptimum) {
   Scenario scenario = scenario_on(grid_of({"...", "..."}), {0, 0}, {2, 1});
   scenario.optimum = {true, LatticeLength{1, 1}};
@@ -78,7 +125,7 @@ TEST(Svg, ShowsTitleLengthAndOptimum) {
   EXPECT_NE(picture.find(">as on &lt;test&gt;</text>"), std::string::npos);
   EXPECT_NE(picture.find(">length 3.00 "), std::string::npos);
   EXPECT_NE(picture.find("optimum 2.41 "), std::string::npos);
-  EXPECT_NE(svg(scenario, std::nullopt).find(">no path "), std::string::npos);
+  EXPECT_NE(svg(scenario, std::nullopt).find(">optimum 2.41 "), std::string::npos);
 }
 
 TEST(Svg, DrawsThePathThroughItsCornersOnly) {

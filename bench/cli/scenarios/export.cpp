@@ -35,7 +35,7 @@ std::string file_name_of(const std::string& id) {
 
 void write_as(const std::string& format, std::ostream& out, const Scenario& scenario) {
   if (format == "png" && scenario.world) {
-    results::write_png(out, scenario, std::nullopt, scenario.id);
+    results::write_png(out, scenario, {scenario.id});
   } else if (format == "map") {
     scenarios::write_map(out, scenario.grid());
   } else if (format == "scen") {
@@ -44,7 +44,7 @@ void write_as(const std::string& format, std::ostream& out, const Scenario& scen
     scenarios::write_png(out, scenario.grid());
   } else if (format == "svg") {
     require_svg_size("--format svg", scenario);
-    results::write_svg(out, scenario, std::nullopt, scenario.id);
+    results::write_svg(out, scenario, {scenario.id});
   } else if (format == "csv") {
     scenarios::write_text_grid(out, scenario.grid(), ",");
   } else if (format == "txt") {
