@@ -1,6 +1,7 @@
 // A campaign: what a TOML file asks for, before anything is looked up.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -10,6 +11,9 @@
 #include <vector>
 
 #include "core/budget.hpp"
+#include "core/move_rule.hpp"
+#include "scenarios/map_reader.hpp"
+#include "scenarios/offer.hpp"
 
 namespace pathrace::bench {
 
@@ -20,9 +24,21 @@ struct PlannerChoice {
   std::vector<std::pair<std::string, std::vector<std::string>>> values;
 };
 
-/// One [[scenarios]] of the file.
+/// A map file and the questions on it: `queries` drawn from `seed`, then those between given ends.
+struct MapChoice {
+  std::filesystem::path file;
+  scenarios::MapOptions options;
+  std::uint64_t queries = 0;
+  std::uint64_t seed = 1;
+  std::vector<std::array<int, 4>> pairs;       ///< start x, y and goal x, y, in cells
+  std::vector<std::array<double, 4>> pairs_m;  ///< the same in metres of the map's frame
+};
+
+/// One [[scenarios]] of the file: patterns of the library, or a map.
 struct ScenarioChoice {
   std::vector<std::string> select;
+  std::optional<MapChoice> map;
+  std::optional<MoveRule> rule;  ///< in place of the scenarios' own
   std::optional<Budget> budget;  ///< for these scenarios, in place of the campaign's
 };
 
@@ -33,14 +49,16 @@ struct Campaign {
   std::optional<Budget> budget;  ///< none: each planner's default budget
   std::vector<PlannerChoice> planners;
   std::vector<ScenarioChoice> scenarios;
-  std::optional<std::filesystem::path> maps;  ///< folder of .map and .scen files
+  /// Folder of recorded maps; a campaign that names one and selects nothing from it races on all of them.
+  std::optional<std::filesystem::path> maps;
+  scenarios::OfferLimits limits;  ///< on what the folder offers
 };
 
 /// Throws InputError "FILE:LINE:COLUMN: ..." for malformed TOML, unknown keys (with the nearest match), wrong
 /// types and values out of range.
 Campaign parse_campaign(std::string_view text, const std::string& file);
 
-/// Reads the file; throws InputError when it cannot be read.
+/// Reads the file, whose paths of maps count from its folder; throws InputError when it cannot be read.
 Campaign read_campaign(const std::filesystem::path& file);
 
 /// The campaign as TOML; parses back to the same campaign.

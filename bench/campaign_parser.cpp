@@ -14,7 +14,11 @@
 namespace pathrace::bench {
 namespace {
 
+using pathrace::scenarios::OfferLimits;
+using pathrace::scenarios::UnknownPolicy;
+
 constexpr std::uint64_t most_repetitions = 1'000'000;
+constexpr std::int64_t most_queries = 1'000'000;
 
 class Parser {
  public:
@@ -24,7 +28,7 @@ class Parser {
     require_keys(root, {"campaign", "budget", "planner", "scenarios"});
     Campaign campaign;
     const toml::table& head = table_at(root, "campaign", root);
-    require_keys(head, {"name", "seed", "repetitions", "maps"});
+    require_keys(head, {"name", "seed", "repetitions", "maps", "queries_per_map", "max_side"});
     campaign.name = text(need(head, "name"));
     if (campaign.name.empty() || campaign.name.find('/') != std::string::npos) {
       fail(need(head, "name"),
@@ -35,11 +39,18 @@ class Parser {
       campaign.repetitions = count(*node, "repetitions", 1, most_repetitions);
     }
     if (const toml::node* node = head.get("maps")) campaign.maps = text(*node);
+    if (const toml::node* node = head.get("queries_per_map")) {
+      campaign.limits.queries_per_map = count(*node, "queries_per_map", 1, most_queries);
+    }
+    if (const toml::node* node = head.get("max_side")) {
+      campaign.limits.max_side = static_cast<int>(count(*node, "max_side", 1, OccupancyGrid::max_side));
+    }
     if (const toml::node* node = root.get("budget")) campaign.budget = budget(*node);
     for (const toml::node& node : tables_at(root, "planner"))
       campaign.planners.push_back(planner(*node.as_table()));
+    if (root.get("scenarios") == nullptr) return campaign;  // a folder of maps may stand for them
     for (const toml::node& node : tables_at(root, "scenarios")) {
-      campaign.scenarios.push_back(scenarios(*node.as_table()));
+      campaign.scenarios.push_back(scenarios(*node.as_table(), campaign.limits));
     }
     return campaign;
   }
@@ -152,15 +163,87 @@ class Parser {
     return choice;
   }
 
-  ScenarioChoice scenarios(const toml::table& table) const {
-    require_keys(table, {"select", "budget"});
-    ScenarioChoice choice;
+  double number(const toml::node& node, std::string_view what, double low) const {
+    const auto value = node.value<double>();
+    if (!value || !std::isfinite(*value) || *value < low) {
+      fail(node, fmt::format("'{}' must be a number of at least {}", what, low));
+    }
+    return *value;
+  }
+
+  template <typename Enum>
+  Enum choice(const toml::node& node, std::string_view kind) const {
+    try {
+      return parse_name<Enum>(kind, text(node));
+    } catch (const InputError& fault) {
+      fail(node, fault.what());
+    }
+  }
+
+  // Start and goal: four numbers.
+  template <typename Number>
+  std::vector<std::array<Number, 4>> pairs(const toml::node& node, std::string_view form) const {
+    const toml::array* list = node.as_array();
+    if (list == nullptr || list->empty()) fail(node, fmt::format("expected a list of {}", form));
+    std::vector<std::array<Number, 4>> pairs;
+    for (const toml::node& item : *list) {
+      const toml::array* values = item.as_array();
+      if (values == nullptr || values->size() != 4) fail(item, fmt::format("expected {}", form));
+      std::array<Number, 4> pair{};
+      for (std::size_t i = 0; i < 4; ++i) {
+        const auto value = values->get(i)->value<Number>();
+        if (!value) fail(*values->get(i), fmt::format("expected {}", form));
+        pair[i] = *value;
+      }
+      pairs.push_back(pair);
+    }
+    return pairs;
+  }
+
+  MapChoice map(const toml::table& table, const OfferLimits& limits) const {
+    require_keys(table, {"map", "radius", "unknown", "resolution", "rule", "queries", "seed", "pairs",
+                         "pairs_m", "budget"});
+    MapChoice map;
+    map.file = text(need(table, "map"));
+    if (const toml::node* node = table.get("radius")) map.options.radius = number(*node, "radius", 0);
+    if (const toml::node* node = table.get("resolution")) {
+      map.options.resolution = number(*node, "resolution", 1e-9);
+    }
+    if (const toml::node* node = table.get("unknown")) {
+      map.options.unknown = choice<UnknownPolicy>(*node, "policy for unknown cells");
+    }
+    if (const toml::node* node = table.get("pairs")) {
+      map.pairs = pairs<int>(*node, "[start x, start y, goal x, goal y] in cells");
+    }
+    if (const toml::node* node = table.get("pairs_m")) {
+      map.pairs_m = pairs<double>(*node, "[start x, start y, goal x, goal y] in metres");
+    }
+    if (map.pairs.empty() && map.pairs_m.empty()) map.queries = limits.queries_per_map;
+    if (const toml::node* node = table.get("queries")) map.queries = count(*node, "queries", 1, most_queries);
+    if (const toml::node* node = table.get("seed")) map.seed = count(*node, "seed", 0, INT64_MAX);
+    return map;
+  }
+
+  std::vector<std::string> select(const toml::table& table) const {
+    require_keys(table, {"select", "rule", "budget"});
     const toml::node& select = need(table, "select");
     const toml::array* list = select.as_array();
     if (list == nullptr || list->empty()) fail(select, "'select' must be a list of scenario ids or patterns");
-    for (const toml::node& item : *list) choice.select.push_back(text(item));
-    if (const toml::node* node = table.get("budget")) choice.budget = budget(*node);
-    return choice;
+    std::vector<std::string> patterns;
+    for (const toml::node& item : *list) patterns.push_back(text(item));
+    return patterns;
+  }
+
+  ScenarioChoice scenarios(const toml::table& table, const OfferLimits& limits) const {
+    ScenarioChoice chosen;
+    if (table.get("map") != nullptr) {
+      chosen.map = map(table, limits);
+    } else {
+      chosen.select = select(table);
+    }
+    if (const toml::node* node = table.get("rule")) chosen.rule = choice<MoveRule>(*node, "move rule");
+    if (const toml::node* node = table.get("budget")) chosen.budget = budget(*node);
+    return chosen;
   }
 
   std::string file_;
@@ -188,7 +271,14 @@ Campaign read_campaign(const std::filesystem::path& file) {
   std::ostringstream text;
   if (in) text << in.rdbuf();
   if (!in) throw InputError(fmt::format("{}: cannot be read; expected a campaign file", file.string()));
-  return parse_campaign(text.str(), file.string());
+  Campaign campaign = parse_campaign(text.str(), file.string());
+  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+  const auto settle = [&](std::filesystem::path& path) { path = (folder / path).lexically_normal(); };
+  if (campaign.maps) settle(*campaign.maps);
+  for (ScenarioChoice& choice : campaign.scenarios) {
+    if (choice.map) settle(choice.map->file);
+  }
+  return campaign;
 }
 
 }  // namespace pathrace::bench

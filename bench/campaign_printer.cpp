@@ -42,10 +42,39 @@ toml::table table_of(const PlannerChoice& planner) {
   return table;
 }
 
+template <typename Number>
+toml::array list_of(const std::vector<std::array<Number, 4>>& pairs) {
+  toml::array list;
+  for (const auto& [start_x, start_y, goal_x, goal_y] : pairs) {
+    list.push_back(toml::array{start_x, start_y, goal_x, goal_y});
+  }
+  return list;
+}
+
+toml::table table_of(const MapChoice& map) {
+  toml::table table{{"map", map.file.string()}};
+  if (map.options.radius > 0) table.insert("radius", map.options.radius);
+  if (map.options.resolution) table.insert("resolution", *map.options.resolution);
+  table.insert("unknown", std::string(name(map.options.unknown)));
+  if (map.queries > 0) {
+    table.insert("queries", whole(map.queries));
+    table.insert("seed", whole(map.seed));
+  }
+  if (!map.pairs.empty()) table.insert("pairs", list_of(map.pairs));
+  if (!map.pairs_m.empty()) table.insert("pairs_m", list_of(map.pairs_m));
+  return table;
+}
+
 toml::table table_of(const ScenarioChoice& choice) {
-  toml::array select;
-  for (const std::string& pattern : choice.select) select.push_back(pattern);
-  toml::table table{{"select", std::move(select)}};
+  toml::table table;
+  if (choice.map) {
+    table = table_of(*choice.map);
+  } else {
+    toml::array select;
+    for (const std::string& pattern : choice.select) select.push_back(pattern);
+    table.insert("select", std::move(select));
+  }
+  if (choice.rule) table.insert("rule", std::string(name(*choice.rule)));
   if (choice.budget) table.insert("budget", table_of(*choice.budget));
   return table;
 }
@@ -55,7 +84,11 @@ toml::table table_of(const ScenarioChoice& choice) {
 std::string to_toml(const Campaign& campaign) {
   toml::table head{
       {"name", campaign.name}, {"seed", whole(campaign.seed)}, {"repetitions", whole(campaign.repetitions)}};
-  if (campaign.maps) head.insert("maps", campaign.maps->string());
+  if (campaign.maps) {
+    head.insert("maps", campaign.maps->string());
+    head.insert("queries_per_map", whole(campaign.limits.queries_per_map));
+    head.insert("max_side", campaign.limits.max_side);
+  }
   toml::array planners;
   for (const PlannerChoice& planner : campaign.planners) planners.push_back(table_of(planner));
   toml::array scenarios;

@@ -2,19 +2,20 @@
 
 #include <fmt/format.h>
 
-#include <optional>
+#include <map>
+#include <memory>
 #include <set>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
+#include "bench/map_scenarios.hpp"
 #include "core/error.hpp"
 #include "core/hash.hpp"
+#include "scenarios/components.hpp"
 
 namespace pathrace::bench {
 namespace {
-
-constexpr std::size_t recorded_queries_per_scen = 2;
-constexpr int recorded_most_side = 512;
 
 // One planner per combination of listed values, in the order of the lists.
 std::vector<Entrant> entrants_of(const PlannerChoice& choice, const Catalogue& catalogue) {
@@ -61,21 +62,21 @@ class Planning {
         plan_.entrants.push_back(std::move(entrant));
       }
     }
-    std::vector<Selection> selected;
-    for (const ScenarioChoice& choice : plan_.campaign.scenarios) {
-      for (const std::string& pattern : choice.select) {
-        for (const std::string& id : library_.select(pattern)) {
-          if (const auto index = add_scenario(id)) selected.push_back({*index, &choice});
-        }
-      }
+    if (plan_.campaign.scenarios.empty()) {
+      throw InputError(
+          fmt::format("campaign '{}' has no [[scenarios]] and no folder of maps", plan_.campaign.name));
     }
-    for (const Selection& selection : selected) {
+    select_scenarios();
+    for (const Selection& selection : selected_) {
       for (std::size_t entrant = 0; entrant < plan_.entrants.size(); ++entrant) {
         if (races(entrant, selection.scenario)) add_trials(selection.scenario, entrant, *selection.choice);
       }
     }
-    if (plan_.groups.empty())
-      throw InputError(fmt::format("campaign '{}' has no trials", plan_.campaign.name));
+    plan_.left_out = scenarios::summary(left_out_);
+    if (plan_.groups.empty()) {
+      throw InputError(fmt::format("campaign '{}' has no trials{}", plan_.campaign.name,
+                                   plan_.left_out.empty() ? "" : "; left out: " + plan_.left_out.front()));
+    }
     return std::move(plan_);
   }
 
@@ -85,22 +86,65 @@ class Planning {
     const ScenarioChoice* choice;
   };
 
-  std::optional<std::size_t> add_scenario(const std::string& id) {
-    if (const auto known = index_of_.find(id); known != index_of_.end()) return known->second;
-    try {
-      plan_.scenarios.push_back(library_.load(id));
-    } catch (const InvalidScenario& fault) {
-      if (!id.starts_with("movingai/")) throw;
-      plan_.left_out.emplace_back(fault.what());  // recorded data may be dirty; no planner answers for it
-      return std::nullopt;
+  void select_scenarios() {
+    const std::vector<std::string> map_names = names_of_maps(plan_.campaign);
+    for (std::size_t i = 0; i < plan_.campaign.scenarios.size(); ++i) {
+      const ScenarioChoice& choice = plan_.campaign.scenarios[i];
+      for (const std::string& pattern : choice.select) {
+        for (const std::string& id : library_.select(pattern)) select_id(id, choice);
+      }
+      if (!choice.map) continue;
+      const MapScenarios found = scenarios_on_map(*choice.map, map_names[i], choice.rule);
+      for (const Scenario& scenario : found.scenarios) select_own(scenario, choice);
+      left_out_.insert(left_out_.end(), found.left_out.begin(), found.left_out.end());
     }
-    const std::size_t index = plan_.scenarios.size() - 1;
-    index_of_[id] = index;
-    plan_.contents.push_back(content_hash(plan_.scenarios.back()));
-    const auto [first, is_new] = first_with_.emplace(plan_.contents.back(), index);
-    if (!is_new) plan_.repeated.push_back(fmt::format("{} ({})", id, plan_.scenarios[first->second].id));
-    (plan_.scenarios.back().world ? has_worlds_ : has_maps_) = true;
-    return index;
+  }
+
+  void select_id(const std::string& id, const ScenarioChoice& choice) {
+    const std::string wanted = choice.rule ? fmt::format("{},rule={}", id, name(*choice.rule)) : id;
+    if (const auto known = index_of_.find(wanted); known != index_of_.end()) {
+      selected_.push_back({known->second, &choice});
+      return;
+    }
+    const bool recorded = id.starts_with("movingai/");
+    try {
+      const Scenario scenario = library_.load(wanted);
+      if (recorded && !has_way(scenario)) return;
+      index_of_[wanted] = add_scenario(scenario);
+      selected_.push_back({index_of_[wanted], &choice});
+    } catch (const InvalidScenario& fault) {
+      if (!recorded) throw;  // recorded data may be dirty; no planner answers for it
+      left_out_.push_back({"recorded queries that are none", fault.what()});
+    }
+  }
+
+  void select_own(const Scenario& scenario, const ScenarioChoice& choice) {
+    if (has_way(scenario)) selected_.push_back({add_scenario(scenario), &choice});
+  }
+
+  // Whether the ends are connected; one more question left out if not.
+  bool has_way(const Scenario& scenario) {
+    if (scenario.optimum.proven) return scenario.optimum.length.has_value();
+    const auto& [grid, rule] = scenario.terrain;
+    const auto known = regions_.try_emplace({grid, rule == MoveRule::free}, *grid, rule).first;
+    if (known->second.joined(scenario.start, scenario.goal)) return true;
+    left_out_.push_back({"questions without a way from start to goal",
+                         fmt::format("{}: no way from {},{} to {},{}", scenario.id, scenario.start.x,
+                                     scenario.start.y, scenario.goal.x, scenario.goal.y)});
+    return false;
+  }
+
+  std::size_t add_scenario(const Scenario& scenario) {
+    const auto [known, is_new] = index_of_.emplace(scenario.id, plan_.scenarios.size());
+    if (!is_new) return known->second;
+    plan_.scenarios.push_back(scenario);
+    plan_.contents.push_back(content_hash(scenario));
+    const auto [first, is_first] = first_with_.emplace(plan_.contents.back(), known->second);
+    if (!is_first) {
+      plan_.repeated.push_back(fmt::format("{} ({})", scenario.id, plan_.scenarios[first->second].id));
+    }
+    (scenario.world ? has_worlds_ : has_maps_) = true;
+    return known->second;
   }
 
   // A planner races where it can; one that can race nowhere is recorded as unsupported everywhere.
@@ -121,6 +165,9 @@ class Planning {
 
   const scenarios::Library& library_;
   TrialPlan plan_;
+  std::vector<Selection> selected_;
+  std::vector<scenarios::LeftOut> left_out_;
+  std::map<std::pair<std::shared_ptr<const OccupancyGrid>, bool>, scenarios::Regions> regions_;
   std::unordered_map<std::string, std::size_t> index_of_;
   std::unordered_map<std::uint64_t, std::size_t> first_with_;  // this content
   std::unordered_set<std::uint64_t> keys_;                     // of each group's last trial
@@ -172,17 +219,6 @@ std::vector<std::string> leave_out_absent(Campaign& campaign, const Catalogue& c
     return true;
   });
   return names;
-}
-
-void add_recorded_maps(Campaign& campaign, const std::filesystem::path& folder,
-                       std::vector<std::string>* left_out) {
-  campaign.maps = std::filesystem::absolute(folder).lexically_normal();
-  const scenarios::Library library(campaign.maps);
-  ScenarioChoice choice;
-  choice.select = library.spread_recorded(recorded_queries_per_scen, recorded_most_side, left_out);
-  if (choice.select.empty())
-    throw InputError(fmt::format("{}: holds no query that can be raced", folder.string()));
-  campaign.scenarios.push_back(std::move(choice));
 }
 
 }  // namespace pathrace::bench

@@ -40,7 +40,7 @@ struct TrialPlan {
   std::vector<TrialGroup> groups;
   std::vector<std::uint64_t> contents;  ///< content hashes of the scenarios
   std::vector<std::string> calls;       ///< full calls of the entrants
-  std::vector<std::string> left_out;    ///< recorded queries that cannot be scenarios, and why
+  std::vector<std::string> left_out;    ///< questions that cannot be raced on, and why, a line each
   std::vector<std::string> repeated;    ///< scenarios that ask an earlier one's question: "ID (EARLIER ID)"
 
   /// Trials; trial i is of group i / repetitions. They are made when asked for: a million need no memory.
@@ -53,15 +53,13 @@ struct TrialPlan {
   std::uint64_t hash() const;
 };
 
-/// Throws InputError for unknown names, bad values, two planners with one label, or an empty plan.
+/// Recorded queries that are none, and questions whose ends have no way between them on recorded maps and map
+/// files, are left out: no planner answers for them. Throws InputError for unknown names, bad values, two
+/// planners with one label, or an empty plan.
 TrialPlan plan_trials(const Campaign& campaign, const scenarios::Library& library,
                       const Catalogue& catalogue);
 
 /// Takes planners out of the campaign that the catalogue knows as absent. Returns their names.
 std::vector<std::string> leave_out_absent(Campaign& campaign, const Catalogue& catalogue);
-
-/// Adds recorded queries, spread over each scen file of the folder, to a campaign.
-void add_recorded_maps(Campaign& campaign, const std::filesystem::path& folder,
-                       std::vector<std::string>* left_out);
 
 }  // namespace pathrace::bench

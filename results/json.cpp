@@ -49,7 +49,22 @@ void add_run(Json& object, const TrialRow& row) {
   object["step_ms_p99"] = nullable(row.costs.step_ms_p99);
 }
 
-Json object_of(const TrialRow& row, const Scenario& scenario) {
+Json place_of(PlaceInMetres place) {
+  return {place.x, place.y};
+}
+
+void add_metres(Json& object, const std::optional<InMetres>& metres) {
+  for (const char* key : {"length_m", "start_m", "goal_m", "points_m"}) object[key] = nullptr;
+  if (!metres) return;
+  object["length_m"] = nullable(metres->length);
+  object["start_m"] = place_of(metres->start);
+  object["goal_m"] = place_of(metres->goal);
+  if (!metres->points) return;
+  object["points_m"] = Json::array();
+  for (const PlaceInMetres place : *metres->points) object["points_m"].push_back(place_of(place));
+}
+
+Json object_of(const TrialRow& row, const Scenario& scenario, const std::optional<InMetres>& metres) {
   Json object;
   object["scenario"] = scenario.id;
   object["planner"] = row.planner;
@@ -61,6 +76,7 @@ Json object_of(const TrialRow& row, const Scenario& scenario) {
   object["gap"] = nullable(row.gap);
   object["turns"] = nullable(row.turns);
   object[row.track == Track::lattice ? "cells" : "points"] = points_of(row.answer);
+  if (!scenario.world) add_metres(object, metres);
   object["evaluations"] = row.work.evaluations;
   object["iterations"] = row.work.iterations;
   object["checks"] = row.work.checks;
@@ -85,10 +101,10 @@ std::string dumped(const Json& value) {
 
 }  // namespace
 
-std::string to_json(const TrialRow& row, const Scenario& scenario) {
+std::string to_json(const TrialRow& row, const Scenario& scenario, const std::optional<InMetres>& metres) {
   std::string text = "{";
   const char* separator = "\n";
-  const Json object = object_of(row, scenario);
+  const Json object = object_of(row, scenario, metres);
   for (const auto& item : object.items()) {
     text += separator;
     text += "  " + dumped(item.key()) + ": " + dumped(item.value());

@@ -19,30 +19,38 @@ struct Block {
   bool holds(Cell cell) const { return cell.x >= left && cell.x < right && cell.y >= top && cell.y < bottom; }
 };
 
-char draw(const Scenario& scenario, const Block& block) {
-  if (block.holds(scenario.start)) return 'S';
-  if (block.holds(scenario.goal)) return 'G';
+char draw(const OccupancyGrid& grid, const Scenario* ends, const Block& block) {
+  if (ends != nullptr && block.holds(ends->start)) return 'S';
+  if (ends != nullptr && block.holds(ends->goal)) return 'G';
   int blocked = 0;
   for (int y = block.top; y < block.bottom; ++y) {
-    for (int x = block.left; x < block.right; ++x) blocked += scenario.grid().is_free({x, y}) ? 0 : 1;
+    for (int x = block.left; x < block.right; ++x) blocked += grid.is_free({x, y}) ? 0 : 1;
   }
   return 2 * blocked >= (block.right - block.left) * (block.bottom - block.top) ? '#' : '.';
 }
 
-}  // namespace
-
-void print_ascii(std::ostream& out, const Scenario& scenario) {
-  const int width = scenario.grid().width();
-  const int height = scenario.grid().height();
+void print(std::ostream& out, const OccupancyGrid& grid, const Scenario* ends) {
+  const int width = grid.width();
+  const int height = grid.height();
   const int side = (width + most_columns - 1) / most_columns;
   std::string row;
   for (int y = 0; y < height; y += side) {
     row.clear();
     for (int x = 0; x < width; x += side) {
-      row += draw(scenario, {x, y, std::min(x + side, width), std::min(y + side, height)});
+      row += draw(grid, ends, {x, y, std::min(x + side, width), std::min(y + side, height)});
     }
     out << row << '\n';
   }
+}
+
+}  // namespace
+
+void print_ascii(std::ostream& out, const Scenario& scenario) {
+  print(out, scenario.grid(), &scenario);
+}
+
+void print_ascii(std::ostream& out, const OccupancyGrid& grid) {
+  print(out, grid, nullptr);
 }
 
 }  // namespace pathrace::scenarios

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include "core/error.hpp"
@@ -16,6 +17,7 @@
 #include "scenarios/ros/ros_queries.hpp"
 #include "scenarios/sets.hpp"
 #include "scenarios/text.hpp"
+#include "scenarios/under_rule.hpp"
 
 namespace pathrace::scenarios {
 namespace {
@@ -96,7 +98,7 @@ class Library::Recorded : public RecordedQueries {
 Library::Library(std::optional<std::filesystem::path> maps) : maps_(std::move(maps)) {
   if (!maps_) return;
   ros_ = std::make_unique<RosQueries>(*maps_);
-  if (!holds_only_ros_maps(*maps_)) recorded_ = std::make_unique<Recorded>(*maps_);
+  recorded_ = std::make_unique<Recorded>(*maps_);
 }
 
 Library::~Library() = default;
@@ -128,7 +130,13 @@ std::vector<std::string> Library::list() const {
   return ids;
 }
 
-Scenario Library::load(const std::string& id) const {
+Scenario Library::load(const std::string& full_id) const {
+  const auto [id, rule] = split_rule(full_id);
+  Scenario scenario = load_plain(id);
+  return rule ? under_rule(std::move(scenario), *rule) : scenario;
+}
+
+Scenario Library::load_plain(const std::string& id) const {
   const std::vector<std::string_view> parts = split_at(id, '/');
   if (parts[0] == recorded_family) {
     require_parts(id, "movingai/<scen>/<k>", {parts.begin() + 1, parts.end()}, 2);
@@ -174,9 +182,13 @@ std::vector<std::string> Library::matches(const std::string& glob) const {
   return ids;
 }
 
-std::vector<std::string> Library::spread_recorded(std::size_t per_scen, int longest_side,
-                                                  std::vector<std::string>* left_out) const {
-  return recorded("movingai/*/*").spread(per_scen, longest_side, left_out);
+Offer Library::offer(const OfferLimits& limits) const {
+  Offer offer;
+  recorded("movingai/*/*").offer(limits, offer);
+  ros("ros/*/*").offer(limits, offer);
+  const std::set<std::filesystem::path> maps = recorded_->maps();
+  offer_map_files(*maps_, {maps.begin(), maps.end()}, limits, offer);
+  return offer;
 }
 
 void prove(Scenario& scenario) {

@@ -3,7 +3,7 @@
 // The generated families are endless; the library lists a finite part of them. Recorded queries,
 // `movingai/<scen>/<k>`, come from a folder of .map and .scen files, k counting the queries of the scen file
 // from 1. Questions on ROS maps, `ros/<map>/<k>`, come from the yaml files of the same folder, or of the
-// folder `ros` beside it.
+// folder `ros` beside it. Any id may end in another move rule, `,rule=free`.
 #pragma once
 
 #include <filesystem>
@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/scenario.hpp"
+#include "scenarios/offer.hpp"
 
 namespace pathrace::scenarios {
 
@@ -31,7 +32,8 @@ class Library {
   /// the same question (scenarios/repeats.hpp).
   std::vector<std::string> list() const;
 
-  /// The scenario with this id; generated ones carry their proven optimum, recorded ones do not yet.
+  /// The scenario with this id, which may end in `,rule=squeeze` or another move rule; generated ones carry
+  /// their proven optimum, recorded ones and those under another rule do not yet.
   /// Throws InputError for an unknown family or a malformed id, InvalidScenario for a query that cannot be
   /// one. Safe to call from several threads.
   Scenario load(const std::string& id) const;
@@ -41,10 +43,9 @@ class Library {
   /// names counts as given, listed or not: `trap-*/20/101`. Throws InputError when there is none.
   std::vector<std::string> select(const std::string& pattern) const;
 
-  /// Ids of up to `per_scen` recorded queries of each scen file, spread evenly; queries on maps with more
-  /// than `longest_side` cells a side are left out. Bad queries are passed over and described in `left_out`.
-  std::vector<std::string> spread_recorded(std::size_t per_scen, int longest_side,
-                                           std::vector<std::string>* left_out) const;
+  /// What the folder offers to race on: queries of scen files, spread evenly, questions on ROS maps, and maps
+  /// without either. Expects a folder.
+  Offer offer(const OfferLimits& limits) const;
 
   const std::optional<std::filesystem::path>& maps() const { return maps_; }
 
@@ -52,6 +53,7 @@ class Library {
   class Recorded;
   Recorded& recorded(const std::string& id) const;
   RosQueries& ros(const std::string& id) const;
+  Scenario load_plain(const std::string& id) const;  // without a rule
   std::vector<std::string> listed_for(const std::string& pattern) const;
   std::vector<std::string> matches(const std::string& glob) const;
 

@@ -33,12 +33,21 @@ MapFrame plain_frame(int width, int height, const MapOptions& options) {
 }
 
 GridMap map_of(const OccupancyMap& map, const MapOptions& options) {
-  return {shared(map.grid(options.unknown)), nullptr, map.frame(), map.unknown_cells()};
+  GridMap result;
+  result.grid = shared(map.grid(options.unknown));
+  result.frame = map.frame();
+  result.measured = options.resolution.has_value();
+  result.unknown_cells = map.unknown_cells();
+  return result;
 }
 
 GridMap map_of(Grid grid, Grid water, const MapOptions& options) {
-  const MapFrame frame = plain_frame(grid->width(), grid->height(), options);
-  return {std::move(grid), std::move(water), frame, std::nullopt};
+  GridMap result;
+  result.frame = plain_frame(grid->width(), grid->height(), options);
+  result.grid = std::move(grid);
+  result.water = std::move(water);
+  result.measured = options.resolution.has_value();
+  return result;
 }
 
 GridMap read_movingai(const fs::path& file, const MapOptions& options) {
@@ -51,7 +60,9 @@ GridMap read_yaml(const fs::path& file, const MapOptions& options) {
     fail_in(file.string(),
             fmt::format("says its resolution itself; expected none beside it, got {}", *options.resolution));
   }
-  return map_of(read_ros_map(file), options);
+  GridMap map = map_of(read_ros_map(file), options);
+  map.measured = true;
+  return map;
 }
 
 GridMap read_picture(const fs::path& file, const MapOptions& options) {
@@ -103,6 +114,7 @@ GridMap read_map(const fs::path& file, const MapOptions& options) {
   }
   GridMap map = kind->read(file, options);
   const double cells = options.radius / map.frame.resolution;
+  map.drawn = map.grid;
   map.grid = grown(map.grid, cells);
   map.water = grown(map.water, cells);
   return map;

@@ -26,7 +26,9 @@ struct GridMap {
   std::shared_ptr<const OccupancyGrid> grid;   ///< ground, of a .map; obstacles grown by the radius
   std::shared_ptr<const OccupancyGrid> water;  ///< of a .map only: water is free, all else blocked
   MapFrame frame;                              ///< origin 0,0 without yaw where the file does not say
+  bool measured = false;  ///< a cell's metres are known: from the file or from a given resolution
   std::optional<std::int64_t> unknown_cells;   ///< of yaml and pictures
+  std::shared_ptr<const OccupancyGrid> drawn;  ///< `grid` before obstacles grew
 
   /// Water when both ends lie in it, else the grid.
   std::shared_ptr<const OccupancyGrid> grid_for(Cell start, Cell goal) const;

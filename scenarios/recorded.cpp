@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "core/error.hpp"
 #include "core/names.hpp"
 #include "scenarios/family.hpp"
+#include "scenarios/text.hpp"
 
 namespace pathrace::scenarios {
 namespace {
@@ -32,7 +35,8 @@ Scenario scenario_of(const std::string& id, const MapFile& map, const ScenFile& 
   return scenario;
 }
 
-RecordedQueries::RecordedQueries(const std::filesystem::path& folder) : entries_(find_scens(folder)) {}
+RecordedQueries::RecordedQueries(std::filesystem::path folder)
+    : folder_(std::move(folder)), entries_(list_scens(folder_, faults_)) {}
 
 RecordedQueries::Opened RecordedQueries::open(const ScenEntry& entry) {
   const std::lock_guard lock(mutex_);
@@ -52,10 +56,20 @@ RecordedQueries::Opened RecordedQueries::open(const std::string& scen) {
     if (entry.name == scen) return open(entry);
     known.push_back(entry.name);
   }
+  if (!faults_.empty()) throw InputError(faults_.front());
+  require_any();
   throw InputError(unknown_name("scen file", scen, known));
 }
 
+void RecordedQueries::require_any() const {
+  if (entries_.empty()) {
+    throw InputError(fmt::format("{}: holds no .scen file", printable_name(folder_.string())));
+  }
+}
+
 std::vector<std::string> RecordedQueries::list() {
+  if (!faults_.empty()) throw InputError(faults_.front());
+  require_any();
   std::vector<std::string> ids;
   for (const ScenEntry& entry : entries_) {
     const std::size_t total = open(entry).scen->queries.size();
@@ -71,27 +85,26 @@ Scenario RecordedQueries::load(const std::string& id, const std::string& scen, c
   return scenario_of(id, *opened.map, *opened.scen, opened.scen->queries[static_cast<std::size_t>(index)]);
 }
 
-std::vector<std::string> RecordedQueries::spread(std::size_t per_scen, int longest_side,
-                                                 std::vector<std::string>* left_out) {
-  std::vector<std::string> ids;
+void RecordedQueries::offer(const OfferLimits& limits, Offer& offer) {
+  for (const std::string& fault : faults_)
+    offer.left_out.push_back({"scen files that cannot be read", fault});
   for (const ScenEntry& entry : entries_) {
-    const Opened opened = open(entry);
-    if (opened.map->width() > longest_side || opened.map->height() > longest_side) {
-      left_out->push_back(fmt::format("{}: {}x{} cells, above {} a side", entry.map.string(),
-                                      opened.map->width(), opened.map->height(), longest_side));
-      continue;
-    }
-    for (const std::size_t index : scenarios::spread(opened.scen->queries.size(), per_scen)) {
-      const std::string id = id_of(entry.name, index);
-      try {
-        scenario_of(id, *opened.map, *opened.scen, opened.scen->queries[index]);
-        ids.push_back(id);
-      } catch (const InvalidScenario& fault) {
-        left_out->emplace_back(fault.what());
+    try {
+      const Opened opened = open(entry);
+      if (is_too_large(entry.map, *opened.map->ground(), limits, offer.left_out)) continue;
+      for (const std::size_t index : spread(opened.scen->queries.size(), limits.queries_per_map)) {
+        offer.ids.push_back(id_of(entry.name, index));
       }
+    } catch (const InputError& fault) {
+      offer.left_out.push_back({"maps that cannot be raced on", fault.what()});
     }
   }
-  return ids;
+}
+
+std::set<std::filesystem::path> RecordedQueries::maps() const {
+  std::set<std::filesystem::path> maps;
+  for (const ScenEntry& entry : entries_) maps.insert(entry.map);
+  return maps;
 }
 
 }  // namespace pathrace::scenarios

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <mutex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "scenarios/movingai/folder.hpp"
 #include "scenarios/movingai/map_file.hpp"
 #include "scenarios/movingai/scen_file.hpp"
+#include "scenarios/offer.hpp"
 
 namespace pathrace::scenarios {
 
@@ -19,12 +21,17 @@ Scenario scenario_of(const std::string& id, const MapFile& map, const ScenFile& 
 
 class RecordedQueries {
  public:
-  explicit RecordedQueries(const std::filesystem::path& folder);
+  /// Throws as list_scens does. What is wrong with a single scen file is said when one is asked for in vain.
+  explicit RecordedQueries(std::filesystem::path folder);
 
   /// `movingai/<scen>/<k>` for every query of every scen file.
   std::vector<std::string> list();
   Scenario load(const std::string& id, const std::string& scen, const std::string& k);
-  std::vector<std::string> spread(std::size_t per_scen, int longest_side, std::vector<std::string>* left_out);
+
+  /// Adds some queries of each scen file, spread evenly, to what there is to race on.
+  void offer(const OfferLimits& limits, Offer& offer);
+  /// The maps that the scen files are about.
+  std::set<std::filesystem::path> maps() const;
 
  private:
   struct Opened {
@@ -33,7 +40,10 @@ class RecordedQueries {
   };
   Opened open(const std::string& scen);
   Opened open(const ScenEntry& entry);
+  void require_any() const;
 
+  std::filesystem::path folder_;
+  std::vector<std::string> faults_;  // of scen files that are none
   std::vector<ScenEntry> entries_;
   std::mutex mutex_;
   std::map<std::filesystem::path, MapFile> maps_;

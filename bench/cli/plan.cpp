@@ -2,13 +2,15 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <fstream>
 #include <memory>
 #include <sstream>
 
 #include "bench/cli/command.hpp"
 #include "bench/cli/options.hpp"
+#include "bench/cli/or_dash.hpp"
 #include "bench/cli/picture_file.hpp"
+#include "bench/cli/plan_question.hpp"
+#include "bench/cli/way_in_metres.hpp"
 #include "bench/dynamic_trial.hpp"
 #include "bench/executors.hpp"
 #include "bench/reference.hpp"
@@ -25,23 +27,13 @@
 #include "results/row.hpp"
 #include "results/svg.hpp"
 #include "results/trace_csv.hpp"
-#include "scenarios/library.hpp"
-#include "scenarios/map_reader.hpp"
 
 namespace pathrace::bench::cli {
 namespace {
 
 struct PlanCommand {
-  std::string scenario;
-  std::string map;
-  std::string start;
-  std::string goal;
-  std::string start_m;
-  std::string goal_m;
-  MapFileOptions map_options;
-  std::string maps;
+  PlanQuestion question;
   std::string planner;
-  std::string rule;
   std::uint64_t seed = 1;
   std::uint64_t repetition = 0;
   Budget budget;
@@ -54,57 +46,6 @@ struct PlanCommand {
 
   bool draws() const { return !svg.empty() || !png.empty() || !frames.empty(); }
 };
-
-// One end of the way, in cells or in metres.
-Cell chosen_cell(const std::string& option, const std::string& cell, const std::string& metres,
-                 const scenarios::MapFrame& frame) {
-  if (cell.empty() == metres.empty()) {
-    throw InputError(fmt::format("--map needs either {0} X,Y or {0}-m X,Y", option));
-  }
-  if (metres.empty()) return parse_cell(option, cell);
-  const Point point = parse_point(option + "-m", metres);
-  const std::optional<Cell> found = frame.cell_at({point.x, point.y});
-  if (!found) throw InputError(fmt::format("{}-m: expected a point on the map, got '{}'", option, metres));
-  return *found;
-}
-
-Scenario scenario_on_map(const PlanCommand& command) {
-  const scenarios::GridMap map = scenarios::read_map(command.map, map_options(command.map_options));
-  Scenario scenario;
-  scenario.start = chosen_cell("--start", command.start, command.start_m, map.frame);
-  scenario.goal = chosen_cell("--goal", command.goal, command.goal_m, map.frame);
-  scenario.terrain.grid = map.grid_for(scenario.start, scenario.goal);
-  scenario.id = command.map;
-  require_valid(scenario);
-  scenario.id = fmt::format("map/{}/{},{}/{},{}", std::filesystem::path(command.map).stem().string(),
-                            scenario.start.x, scenario.start.y, scenario.goal.x, scenario.goal.y);
-  return scenario;
-}
-
-Scenario chosen_scenario(const PlanCommand& command) {
-  if (command.scenario.empty() == command.map.empty()) {
-    throw InputError("expected either --scenario ID or --map FILE --start X,Y --goal X,Y");
-  }
-  Scenario scenario = command.map.empty()
-                          ? scenarios::Library(maps_folder(command.maps)).load(command.scenario)
-                          : scenario_on_map(command);
-  if (!command.rule.empty()) {
-    const auto rule = parse_name<MoveRule>("move rule", command.rule);
-    if (scenario.world) throw InputError("--rule: there are no moves of cells in a dynamic world");
-    if (rule != scenario.terrain.rule) scenario.optimum = {};
-    scenario.terrain.rule = rule;
-  }
-  scenarios::prove(scenario);
-  return scenario;
-}
-
-std::string or_dash(const std::optional<double>& value, std::string_view format) {
-  return value ? fmt::format(fmt::runtime(format), *value) : "-";
-}
-
-std::string percent_or_dash(const std::optional<double>& share) {
-  return share ? fmt::format("{:.2f} %", 100 * *share) : "-";
-}
 
 void print_way(const results::TrialRow& row) {
   fmt::print("length       {}   optimum {}   gap {}\n", or_dash(row.length, "{:.4f}"),
@@ -124,11 +65,17 @@ void print_run(const results::TrialRow& row) {
              or_dash(row.costs.step_ms_median, "{:.4f}"), or_dash(row.costs.step_ms_p99, "{:.4f}"));
 }
 
-void print_summary(const results::TrialRow& row, bool moves) {
+void print_summary(const results::TrialRow& row, bool moves, const std::optional<results::InMetres>& metres) {
   fmt::print("scenario     {} ({})\n", row.scenario, moves ? "dynamic" : name(row.rule));
   fmt::print("planner      {}\n", row.planner);
   fmt::print("verdict      {}{}{}\n", name(row.verdict), row.note.empty() ? "" : ": ", row.note);
-  moves ? print_run(row) : print_way(row);
+  if (moves) {
+    print_run(row);
+  } else if (metres) {
+    print_way_in_metres(row, *metres);
+  } else {
+    print_way(row);
+  }
   fmt::print("work         {} evaluations, {} iterations, {} checks\n", row.work.evaluations,
              row.work.iterations, row.work.checks);
   fmt::print("time         {:.3f} ms ({}, {} of {} threads seen running)\n", 1000 * row.costs.wall_s,
@@ -228,7 +175,7 @@ int plan_command(const PlanCommand& command) {
   const Entrant entrant = roster().enter(parse_call(command.planner));
   auto ticker = std::make_unique<Ticker>(isatty(STDERR_FILENO) == 1);
   ticker->say("proves the optimum");
-  Scenario scenario = chosen_scenario(command);
+  auto [scenario, frame] = ask(command.question);
   if (!command.svg.empty()) require_svg_size(command.svg, scenario);
   if (!command.frames.empty() && !scenario.world) {
     throw InputError(
@@ -245,10 +192,13 @@ int plan_command(const PlanCommand& command) {
   record.costs.backend = command.options.backend;
   record.costs.threads = command.options.threads;
   const results::TrialRow row = results::make_row(key, scenario, entrant, budget, record);
+  std::optional<results::InMetres> metres;
+  if (frame) metres = in_metres(*frame, scenario, row);
   if (command.json) {
-    fmt::print("{}\n", results::to_json(row, scenario));
+    fmt::print("{}\n", results::to_json(row, scenario, metres));
   } else {
-    print_summary(row, scenario.world != nullptr);
+    if (!command.question.in_metres()) metres.reset();
+    print_summary(row, scenario.world != nullptr, metres);
   }
   write_pictures(command, scenario, row, collected(overlays));
   write_frames(command, scenario, row, overlays);
@@ -263,28 +213,12 @@ void add_plan(CLI::App& app) {
       add_command(app, "plan", "run one planner on one scenario",
                   "pathrace plan --scenario dense/20-20/7 --planner as:dead_end=backtrack --svg path.svg",
                   [command] { return plan_command(*command); });
-  options->add_option("--scenario", command->scenario, "a scenario of the library")->type_name("ID");
-  options
-      ->add_option("--map", command->map,
-                   "a map file (.map .yaml .yml .pgm .png .bmp .csv .txt), with --start and --goal")
-      ->type_name("FILE");
-  options->add_option("--start", command->start, "a cell; 0,0 is the upper left")->type_name("X,Y");
-  options->add_option("--goal", command->goal, "a cell")->type_name("X,Y");
-  options->add_option("--start-m", command->start_m, "the same in metres of the map's frame")
-      ->type_name("X,Y");
-  options->add_option("--goal-m", command->goal_m, "the same in metres")->type_name("X,Y");
-  add_map_file_options(*options, command->map_options);
-  options
-      ->add_option("--maps", command->maps, "folder of recorded maps, for movingai/... and ros/... scenarios")
-      ->type_name("DIR");
+  add_question_options(*options, command->question);
   options
       ->add_option("--planner", command->planner,
                    "a planner, with parameters where they differ from the defaults")
       ->type_name("NAME[:key=value,...]")
       ->required();
-  options
-      ->add_option("--rule", command->rule, "four, strict, squeeze or free (default: the scenario's, strict)")
-      ->type_name("RULE");
   options->add_option("--seed", command->seed, "the campaign's seed (default: 1)")->type_name("N");
   options
       ->add_option("--repetition", command->repetition, "which repetition of a campaign, from 0 (default: 0)")

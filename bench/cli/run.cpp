@@ -6,6 +6,7 @@
 #include <iostream>
 #include <memory>
 
+#include "bench/campaign_maps.hpp"
 #include "bench/cli/command.hpp"
 #include "bench/cli/options.hpp"
 #include "bench/describe.hpp"
@@ -28,6 +29,8 @@ struct RunCommand {
   std::string builtin;
   std::string out;
   std::string maps;
+  std::optional<std::uint64_t> queries_per_map;
+  std::optional<int> max_side;
   std::optional<std::uint64_t> seed;
   bool resume = false;
   bool dry_run = false;
@@ -64,29 +67,18 @@ Campaign chosen_campaign(const RunCommand& command, const RunFolder& folder) {
   return campaign;
 }
 
-// The campaign's own path of maps counts from its file; on the command line, from the current folder.
-void settle_maps(const RunCommand& command, Campaign& campaign, std::vector<std::string>* left_out) {
-  if (campaign.maps && campaign.maps->is_relative()) {
-    const std::filesystem::path base = std::filesystem::absolute(command.file).parent_path();
-    campaign.maps = (base / *campaign.maps).lexically_normal();
-  }
-  if (!command.maps.empty()) {
-    const std::filesystem::path folder = std::filesystem::absolute(command.maps).lexically_normal();
-    if (campaign.maps != folder) add_recorded_maps(campaign, folder, left_out);
-    return;
-  }
-  if (campaign.maps) return;
-  if (const auto folder = maps_folder(""))
-    campaign.maps = std::filesystem::absolute(*folder).lexically_normal();
+std::optional<std::filesystem::path> given_folder(const RunCommand& command) {
+  if (command.maps.empty()) return std::nullopt;
+  return command.maps;
 }
 
-bool needs_maps(const Campaign& campaign) {
-  for (const ScenarioChoice& choice : campaign.scenarios) {
-    for (const std::string& pattern : choice.select) {
-      if (pattern.starts_with("movingai/")) return true;
-    }
+void set_limits(const RunCommand& command, Campaign& campaign) {
+  if (command.queries_per_map) campaign.limits.queries_per_map = *command.queries_per_map;
+  if (command.max_side) campaign.limits.max_side = *command.max_side;
+  const bool limited = command.queries_per_map || command.max_side;
+  if (limited && command.maps.empty() && !campaign.maps) {
+    throw InputError("--queries-per-map and --max-side need a folder of maps: name one with --maps");
   }
-  return false;
 }
 
 void say_what_repeats(const std::vector<std::string>& repeated) {
@@ -101,13 +93,13 @@ void say_what_repeats(const std::vector<std::string>& repeated) {
 TrialPlan make_plan(const RunCommand& command, const RunFolder& folder) {
   Campaign campaign = chosen_campaign(command, folder);
   if (command.seed) campaign.seed = *command.seed;
+  set_limits(command, campaign);
   std::vector<std::string> left_out;
-  settle_maps(command, campaign, &left_out);
-  if (!needs_maps(campaign)) campaign.maps.reset();
+  settle_maps(campaign, given_folder(command), maps_folder(""), left_out);
   const scenarios::Library library(campaign.maps);
   TrialPlan plan = plan_trials(campaign, library, roster());
   left_out.insert(left_out.end(), plan.left_out.begin(), plan.left_out.end());
-  for (const std::string& query : left_out) say("left out: " + query);
+  for (const std::string& line : left_out) say("left out: " + line);
   say_what_repeats(plan.repeated);
   return plan;
 }
@@ -125,11 +117,11 @@ results::Store open_or_create(const RunCommand& command, const RunFolder& folder
   }
   results::Store store = results::Store::open(folder.store(), results::Access::append);
   if (store.identity().hash != identity.hash) {
-    throw InputError(
-        fmt::format("{}: holds another campaign ('{}', seed {}, {} trials) than the one to resume ('{}', "
-                    "seed {}, {} trials); planners, their versions, budgets and scenarios must be the same",
-                    folder.store().string(), store.identity().campaign, store.identity().seed,
-                    store.identity().trials, identity.campaign, identity.seed, identity.trials));
+    throw InputError(fmt::format(
+        "{}: holds another campaign ('{}', seed {}, {} trials) than the one to resume ('{}', "
+        "seed {}, {} trials); planners, their versions, budgets, scenarios and map files must be the same",
+        folder.store().string(), store.identity().campaign, store.identity().seed, store.identity().trials,
+        identity.campaign, identity.seed, identity.trials));
   }
   return store;
 }
@@ -235,8 +227,24 @@ void add_run(CLI::App& app) {
   add_executor_options(*options, command->options, true);
   options->add_flag("--in-process", command->in_process, "run the trials in this process (the default)");
   options->add_flag("--resume", command->resume, "go on with the folder of --out: recorded trials are kept");
-  options->add_option("--maps", command->maps, "folder of MovingAI .map and .scen files to race on as well")
+  options
+      ->add_option(
+          "--maps", command->maps,
+          "folder of maps to race on as well (MovingAI, ROS, pictures, text grids); for a campaign that "
+          "selects recorded maps, where they lie")
       ->type_name("DIR");
+  options
+      ->add_option_function<std::uint64_t>(
+          "--queries-per-map", [command](std::uint64_t n) { command->queries_per_map = n; },
+          "of a folder of maps: so many queries of each scen file, and of each map without one (default: 2)")
+      ->check(CLI::Range(1, 1'000'000))
+      ->type_name("N");
+  options
+      ->add_option_function<int>(
+          "--max-side", [command](int n) { command->max_side = n; },
+          "of a folder of maps: leave out those with more cells a side (default: 512)")
+      ->check(CLI::Range(1, OccupancyGrid::max_side))
+      ->type_name("N");
   options->add_flag("--no-features", command->no_features,
                     "leave the scenarios' features out of results.db and scenarios.csv");
   options->add_flag("--dry-run", command->dry_run,

@@ -1,6 +1,9 @@
 // `scenarios`: what the library holds, how it looks, and whether a file is sound.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
+
 #include "bench/cli/options.hpp"
 #include "bench/cli/scenarios/verb.hpp"
 #include "scenarios/library.hpp"
@@ -26,10 +29,30 @@ std::string print_optimum(const Scenario& scenario) {
   return scenario.optimum.length ? fmt::format("{:.4f}", scenario.optimum.length->value()) : "no way";
 }
 
-void add_scenario_options(CLI::App& verb, std::string& id, std::string& maps) {
-  verb.add_option("id", id, "a scenario")->required()->type_name("ID");
-  verb.add_option("--maps", maps, "folder of recorded maps, for movingai/... and ros/... scenarios")
+bool Subject::is_map_file() const {
+  const std::vector<std::string>& maps = scenarios::map_extensions();
+  return std::find(maps.begin(), maps.end(), std::filesystem::path(id).extension().string()) != maps.end();
+}
+
+void add_subject_options(CLI::App& verb, Subject& subject) {
+  verb.add_option("id", subject.id, "a scenario, or a map file")->required()->type_name("ID|FILE");
+  verb.add_option("--maps", subject.maps, "folder of recorded maps, for movingai/... and ros/... scenarios")
       ->type_name("DIR");
+  add_map_file_options(verb, subject.map);
+}
+
+std::string describe_map(const std::string& file, const scenarios::GridMap& map,
+                         const MapFileOptions& options) {
+  const scenarios::MapFrame& frame = map.frame;
+  std::string text = fmt::format("{}: a map of {}x{} cells, {} free", file, frame.width, frame.height,
+                                 map.grid->free_cells());
+  if (map.water != nullptr) {
+    return text + fmt::format(" on the ground, {} of water", map.water->free_cells());
+  }
+  if (map.unknown_cells)
+    text += fmt::format(", {} unknown (taken as {})", *map.unknown_cells, options.unknown);
+  return text + fmt::format(", resolution {}, origin {},{}, yaw {}", frame.resolution, frame.origin.x,
+                            frame.origin.y, frame.yaw);
 }
 
 void add_scenarios(CLI::App& app) {

@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "core/error.hpp"
-#include "scenarios/movingai/scen_file.hpp"
 #include "scenarios/text.hpp"
 
 namespace pathrace::scenarios {
@@ -42,7 +41,7 @@ Listing sorted_listing(const fs::path& folder) {
     throw InputError(fmt::format("{}: no such folder", shown(folder)));
   }
   if (!error && !fs::is_directory(status)) {
-    throw InputError(fmt::format("{}: is a file; expected a folder of .scen files", shown(folder)));
+    throw InputError(fmt::format("{}: is a file; expected a folder of maps", shown(folder)));
   }
   try {
     Listing listing = list(folder);
@@ -59,13 +58,30 @@ std::string name_of(const fs::path& scen) {
   return (stem.extension() == ".map" ? stem.stem() : stem).string();
 }
 
-fs::path find_map(const ScenFile& scen, const std::vector<fs::path>& maps) {
+// "dao-map" for "dao-scen".
+fs::path sibling_of_maps(const fs::path& folder) {
+  constexpr std::string_view ending = "-scen";
+  const std::string name = folder.filename().string();
+  if (!name.ends_with(ending)) return {};
+  return folder.parent_path() / (name.substr(0, name.size() - ending.size()) + "-map");
+}
+
+// Where the archives put the map of a scen file; empty when it is not there.
+fs::path usual_map(const ScenFile& scen, const std::string& name) {
+  const fs::path folder = fs::absolute(scen.file).parent_path();
+  for (const fs::path& place : {scen.file.parent_path(), sibling_of_maps(folder)}) {
+    std::error_code unreachable;
+    if (fs::is_regular_file(place / name, unreachable)) return place / name;
+  }
+  return {};
+}
+
+fs::path choose_map(const ScenFile& scen, const std::vector<fs::path>& maps) {
   const std::string wanted = map_file_name(scen.queries.front().map);
+  if (fs::path usual = usual_map(scen, wanted); !usual.empty()) return usual;
   std::vector<fs::path> found;
   for (const fs::path& map : maps) {
-    if (map.filename().string() != wanted) continue;
-    if (map.parent_path() == scen.file.parent_path()) return map;
-    found.push_back(map);
+    if (map.filename().string() == wanted) found.push_back(map);
   }
   const int line = scen.queries.front().line;
   if (found.empty()) {
@@ -80,32 +96,56 @@ fs::path find_map(const ScenFile& scen, const std::vector<fs::path>& maps) {
   return found.front();
 }
 
-void require_distinct_names(const std::vector<ScenEntry>& entries) {
-  const auto twin =
-      std::adjacent_find(entries.begin(), entries.end(),
-                         [](const ScenEntry& a, const ScenEntry& b) { return a.name == b.name; });
-  if (twin != entries.end()) {
-    throw InputError(fmt::format("{}: is named '{}', as is {}; expected a name of its own",
-                                 shown((twin + 1)->scen), printable_name(twin->name), shown(twin->scen)));
+ScenEntry entry_of(const fs::path& file, const std::vector<fs::path>& maps) {
+  const ScenFile scen = ScenFile::read(file);
+  const fs::path map = choose_map(scen, maps);
+  require_same_map(scen, map);
+  return {name_of(file), file, map};
+}
+
+// Of several with one name the first stays.
+std::vector<ScenEntry> with_own_names(const std::vector<ScenEntry>& entries,
+                                      std::vector<std::string>& faults) {
+  std::vector<ScenEntry> kept;
+  for (const ScenEntry& entry : entries) {
+    if (kept.empty() || kept.back().name != entry.name) {
+      kept.push_back(entry);
+      continue;
+    }
+    faults.push_back(fmt::format("{}: is named '{}', as is {}; expected a name of its own", shown(entry.scen),
+                                 printable_name(entry.name), shown(kept.back().scen)));
   }
+  return kept;
 }
 
 }  // namespace
 
-std::vector<ScenEntry> find_scens(const fs::path& folder) {
+std::vector<ScenEntry> list_scens(const fs::path& folder, std::vector<std::string>& faults) {
   const Listing listing = sorted_listing(folder);
-  if (listing.scens.empty()) throw InputError(fmt::format("{}: holds no .scen file", shown(folder)));
   std::vector<ScenEntry> entries;
   for (const fs::path& file : listing.scens) {
-    const ScenFile scen = ScenFile::read(file);
-    const fs::path map = find_map(scen, listing.maps);
-    require_same_map(scen, map);
-    entries.push_back({name_of(file), file, map});
+    try {
+      entries.push_back(entry_of(file, listing.maps));
+    } catch (const InputError& fault) {
+      faults.emplace_back(fault.what());
+    }
   }
   std::stable_sort(entries.begin(), entries.end(),
                    [](const ScenEntry& a, const ScenEntry& b) { return a.name < b.name; });
-  require_distinct_names(entries);
+  return with_own_names(entries, faults);
+}
+
+std::vector<ScenEntry> find_scens(const fs::path& folder) {
+  std::vector<std::string> faults;
+  std::vector<ScenEntry> entries = list_scens(folder, faults);
+  if (!faults.empty()) throw InputError(faults.front());
+  if (entries.empty()) throw InputError(fmt::format("{}: holds no .scen file", shown(folder)));
   return entries;
+}
+
+fs::path find_map(const ScenFile& scen, const std::optional<fs::path>& maps) {
+  if (maps) return choose_map(scen, sorted_listing(*maps).maps);
+  return choose_map(scen, {});
 }
 
 std::vector<std::size_t> spread(std::size_t total, std::size_t count) {

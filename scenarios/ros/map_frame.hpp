@@ -23,9 +23,13 @@ struct MapFrame {
   WorldPoint origin;
   double yaw = 0;  ///< radians
 
-  /// The cell that holds the point; nothing when the point is off the map.
-  std::optional<Cell> cell_at(WorldPoint point) const;
-  WorldPoint centre_of(Cell cell) const;
+  /// The same place in cell edges, on the map or off it.
+  Point point_of(WorldPoint place) const;
+  WorldPoint place_of(Point point) const;
+  /// The cell that holds the place; nothing when it is off the map.
+  std::optional<Cell> cell_at(WorldPoint place) const;
+  /// A length in cell edges, in metres.
+  double metres(double edges) const { return edges * resolution; }
 };
 
 }  // namespace pathrace::scenarios

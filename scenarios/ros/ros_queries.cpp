@@ -51,6 +51,11 @@ std::vector<RosMapEntry> named(const std::vector<fs::path>& files) {
   return entries;
 }
 
+bool lies_below(const fs::path& file, const fs::path& folder) {
+  const fs::path relative = fs::relative(file, folder);
+  return !relative.empty() && *relative.begin() != "..";
+}
+
 void require_distinct_names(const std::vector<RosMapEntry>& entries) {
   const auto twin =
       std::adjacent_find(entries.begin(), entries.end(),
@@ -71,17 +76,6 @@ std::vector<RosMapEntry> find_ros_maps(const fs::path& folder) {
   std::vector<RosMapEntry> entries = named(files);
   require_distinct_names(entries);
   return entries;
-}
-
-bool holds_only_ros_maps(const fs::path& folder) {
-  std::error_code error;
-  bool yaml = false;
-  fs::recursive_directory_iterator entry(folder, error);
-  for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
-    if (entry->path().extension() == ".scen") return false;
-    yaml = yaml || has_yaml_extension(entry->path());
-  }
-  return yaml && !error;
 }
 
 const std::vector<RosMapEntry>& RosQueries::entries() {
@@ -124,6 +118,28 @@ Scenario RosQueries::load(const std::string& id, const std::string& map, const s
   scenario.goal = opened.region[other < start ? other : other + 1];
   require_valid(scenario);
   return scenario;
+}
+
+void RosQueries::offer(const OfferLimits& limits, Offer& offer) {
+  std::vector<RosMapEntry> maps;
+  {
+    const std::lock_guard lock(mutex_);
+    maps = entries();
+  }
+  for (const RosMapEntry& map : maps) {
+    if (!lies_below(map.yaml, folder_)) continue;
+    try {
+      const Opened& opened = open(map.name);
+      if (is_too_large(map.yaml, *opened.grid, limits, offer.left_out)) continue;
+      for (std::uint64_t k = 1; k <= limits.queries_per_map; ++k) {
+        const std::string id = fmt::format("ros/{}/{}", map.name, k);
+        load(id, map.name, std::to_string(k));
+        offer.ids.push_back(id);
+      }
+    } catch (const InputError& fault) {
+      offer.left_out.push_back({"maps that cannot be raced on", fault.what()});
+    }
+  }
 }
 
 std::vector<std::string> RosQueries::list() {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/scenario.hpp"
+#include "scenarios/offer.hpp"
 
 namespace pathrace::scenarios {
 
@@ -28,9 +29,6 @@ struct RosMapEntry {
 /// when a folder cannot be listed.
 std::vector<RosMapEntry> find_ros_maps(const std::filesystem::path& folder);
 
-/// Whether there are yaml files below the folder and no .scen file. False for a folder that is not there.
-bool holds_only_ros_maps(const std::filesystem::path& folder);
-
 /// The maps of one folder, each read once. Safe to use from several threads.
 class RosQueries {
  public:
@@ -42,6 +40,9 @@ class RosQueries {
 
   /// The first thirty questions of every map.
   std::vector<std::string> list();
+
+  /// Adds the first questions of every map below the folder itself to what there is to race on.
+  void offer(const OfferLimits& limits, Offer& offer);
 
  private:
   struct Opened {

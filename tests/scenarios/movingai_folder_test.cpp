@@ -114,7 +114,7 @@ TEST(MovingAiFolder, AMissingFolderAndAFileAreRefused) {
   const fs::path missing = folder.path() / "missing";
   const fs::path file = folder.write("x.map", some_map);
   EXPECT_EQ(refusal(missing), missing.string() + ": no such folder");
-  EXPECT_EQ(refusal(file), file.string() + ": is a file; expected a folder of .scen files");
+  EXPECT_EQ(refusal(file), file.string() + ": is a file; expected a folder of maps");
 }
 
 TEST(MovingAiFolder, AFolderThatCannotBeListedIsTheEnvironmentsFault) {

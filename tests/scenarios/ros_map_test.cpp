@@ -118,17 +118,17 @@ TEST(MapFrame, TheOriginIsTheLowerLeftCorner) {
   EXPECT_EQ(frame.cell_at({0, 3.6}), std::nullopt);
   EXPECT_EQ(frame.cell_at({std::nan(""), 2.1}), std::nullopt);
   EXPECT_EQ(frame.cell_at({1e300, 2.1}), std::nullopt);
-  EXPECT_DOUBLE_EQ(frame.centre_of({0, 2}).x, -0.75);
-  EXPECT_DOUBLE_EQ(frame.centre_of({0, 2}).y, 2.25);
+  EXPECT_DOUBLE_EQ(frame.place_of(centre({0, 2})).x, -0.75);
+  EXPECT_DOUBLE_EQ(frame.place_of(centre({0, 2})).y, 2.25);
 }
 
 TEST(MapFrame, YawTurnsTheMapAboutItsOrigin) {
   // A quarter turn: the map's x axis points along the world's y, its y axis against the world's x.
   const MapFrame frame{4, 3, 1, {10, 20}, std::acos(0.0)};
-  EXPECT_NEAR(frame.centre_of({0, 2}).x, 9.5, 1e-12);
-  EXPECT_NEAR(frame.centre_of({0, 2}).y, 20.5, 1e-12);
-  EXPECT_NEAR(frame.centre_of({3, 2}).x, 9.5, 1e-12);
-  EXPECT_NEAR(frame.centre_of({3, 2}).y, 23.5, 1e-12);
+  EXPECT_NEAR(frame.place_of(centre({0, 2})).x, 9.5, 1e-12);
+  EXPECT_NEAR(frame.place_of(centre({0, 2})).y, 20.5, 1e-12);
+  EXPECT_NEAR(frame.place_of(centre({3, 2})).x, 9.5, 1e-12);
+  EXPECT_NEAR(frame.place_of(centre({3, 2})).y, 23.5, 1e-12);
   EXPECT_EQ(frame.cell_at({9.5, 23.5}), (Cell{3, 2}));
   EXPECT_EQ(frame.cell_at({10.5, 20.5}), std::nullopt);
 }
@@ -143,7 +143,7 @@ TEST(MapFrame, EveryCellsCentreLiesInTheCellWhateverTheYaw) {
                          8 * stream.uniform() - 4};
     for (int n = 0; n < 20; ++n) {
       const Cell cell{stream.between(0, frame.width - 1), stream.between(0, frame.height - 1)};
-      ASSERT_EQ(frame.cell_at(frame.centre_of(cell)), cell) << "frame " << i;
+      ASSERT_EQ(frame.cell_at(frame.place_of(centre(cell))), cell) << "frame " << i;
     }
   }
 }

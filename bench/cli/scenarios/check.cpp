@@ -1,10 +1,10 @@
 // `scenarios check`: is this file sound?
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 
+#include "bench/campaign_maps.hpp"
 #include "bench/cli/options.hpp"
 #include "bench/cli/scenarios/verb.hpp"
 #include "bench/roster.hpp"
@@ -18,10 +18,20 @@
 namespace pathrace::bench::cli {
 namespace {
 
-int check_scen(const std::filesystem::path& file) {
+struct CheckOptions {
+  std::string file;
+  std::string maps;
+  MapFileOptions map;
+
+  std::optional<std::filesystem::path> maps_folder() const {
+    return maps.empty() ? std::nullopt : std::make_optional<std::filesystem::path>(maps);
+  }
+};
+
+int check_scen(const CheckOptions& options) {
+  const std::filesystem::path file = options.file;
   const scenarios::ScenFile scen = scenarios::ScenFile::read(file);
-  if (scen.queries.empty()) throw InputError(fmt::format("{}: holds no query", file.string()));
-  const auto map_file = file.parent_path() / std::filesystem::path(scen.queries.front().map).filename();
+  const std::filesystem::path map_file = scenarios::find_map(scen, options.maps_folder());
   scenarios::require_same_map(scen, map_file);
   const scenarios::MapFile map = scenarios::MapFile::read(map_file);
   std::size_t bad = 0;
@@ -38,52 +48,43 @@ int check_scen(const std::filesystem::path& file) {
   return bad > 0 ? something_found : done;
 }
 
-int check_map(const std::filesystem::path& file, const MapFileOptions& options) {
-  const scenarios::GridMap map = scenarios::read_map(file, map_options(options));
-  const scenarios::MapFrame& frame = map.frame;
-  fmt::print("{}: a map of {}x{} cells, {} free", file.string(), frame.width, frame.height,
-             map.grid->free_cells());
-  if (map.water != nullptr) {
-    fmt::print(" on the ground, {} of water", map.water->free_cells());
-  } else {
-    if (map.unknown_cells) fmt::print(", {} unknown (taken as {})", *map.unknown_cells, options.unknown);
-    fmt::print(", resolution {}, origin {},{}, yaw {}", frame.resolution, frame.origin.x, frame.origin.y,
-               frame.yaw);
-  }
-  fmt::print("\n");
+int check_map(const CheckOptions& options) {
+  const scenarios::GridMap map = scenarios::read_map(options.file, map_options(options.map));
+  fmt::print("{}\n", describe_map(options.file, map, options.map));
   return done;
 }
 
-bool is_known(const std::string& extension) {
-  const std::vector<std::string>& maps = scenarios::map_extensions();
-  return std::find(maps.begin(), maps.end(), extension) != maps.end();
+int check_campaign(const CheckOptions& options) {
+  Campaign campaign = read_campaign(options.file);
+  std::vector<std::string> left_out;
+  settle_maps(campaign, options.maps_folder(), maps_folder(""), left_out);
+  const TrialPlan plan = plan_trials(campaign, scenarios::Library(campaign.maps), roster());
+  left_out.insert(left_out.end(), plan.left_out.begin(), plan.left_out.end());
+  for (const std::string& line : left_out) fmt::print(stderr, "left out: {}\n", line);
+  fmt::print("{}: a campaign of {} trials, {} planners, {} scenarios\n", options.file, plan.size(),
+             plan.entrants.size(), plan.scenarios.size());
+  return done;
 }
 
-int check_file(const std::filesystem::path& file, const MapFileOptions& map) {
-  const std::string extension = file.extension().string();
-  if (is_known(extension)) return check_map(file, map);
-  if (extension == ".scen") return check_scen(file);
-  if (extension == ".toml") {
-    const Campaign campaign = read_campaign(file);
-    const scenarios::Library library(campaign.maps ? campaign.maps : maps_folder(""));
-    const TrialPlan plan = plan_trials(campaign, library, roster());
-    fmt::print("{}: a campaign of {} trials, {} planners, {} scenarios\n", file.string(), plan.size(),
-               plan.entrants.size(), plan.scenarios.size());
-    return done;
-  }
-  throw InputError(fmt::format("{}: expected a .scen or .toml file or a map ({})", file.string(),
+int check_file(const CheckOptions& options) {
+  if (Subject{options.file, "", {}}.is_map_file()) return check_map(options);
+  const std::string extension = std::filesystem::path(options.file).extension().string();
+  if (extension == ".scen") return check_scen(options);
+  if (extension == ".toml") return check_campaign(options);
+  throw InputError(fmt::format("{}: expected a .scen or .toml file or a map ({})", options.file,
                                fmt::join(scenarios::map_extensions(), " ")));
 }
 
 }  // namespace
 
 void add_scenarios_check(CLI::App& parent) {
-  auto file = std::make_shared<std::string>();
-  auto map = std::make_shared<MapFileOptions>();
+  auto options = std::make_shared<CheckOptions>();
   CLI::App* verb = add_verb(parent, "check", "validate a map, a .scen file or a campaign", "arena.map.scen",
-                            [file, map] { return check_file(*file, *map); });
-  verb->add_option("file", *file, "the file")->required()->type_name("FILE");
-  add_map_file_options(*verb, *map);
+                            [options] { return check_file(*options); });
+  verb->add_option("file", options->file, "the file")->required()->type_name("FILE");
+  verb->add_option("--maps", options->maps, "folder of the maps that a .scen file or a campaign is about")
+      ->type_name("DIR");
+  add_map_file_options(*verb, options->map);
 }
 
 }  // namespace pathrace::bench::cli

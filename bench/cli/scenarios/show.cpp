@@ -3,18 +3,20 @@
 
 #include <iostream>
 #include <memory>
+#include <sstream>
 
 #include "bench/cli/picture_file.hpp"
 #include "bench/cli/scenarios/verb.hpp"
+#include "bench/run_folder.hpp"
 #include "core/hash.hpp"
 #include "scenarios/ascii.hpp"
+#include "scenarios/image/png_writer.hpp"
 
 namespace pathrace::bench::cli {
 namespace {
 
 struct ShowOptions {
-  std::string id;
-  std::string maps;
+  Subject subject;
   std::string out;
 };
 
@@ -29,14 +31,31 @@ void print_world(const std::string& id, const World& world) {
              world.least_steps ? std::to_string(*world.least_steps) : "that", hex(world.hash));
 }
 
+int show_map(const ShowOptions& options) {
+  const std::string& file = options.subject.id;
+  const scenarios::GridMap map = scenarios::read_map(file, map_options(options.subject.map));
+  if (!options.out.empty()) {
+    require_extension(options.out, {".png"});
+    std::ostringstream bytes;
+    scenarios::write_png(bytes, *map.grid);
+    write_file(options.out, bytes.str());
+    return done;
+  }
+  fmt::print("{}\n", describe_map(file, map, options.subject.map));
+  std::fflush(stdout);
+  scenarios::print_ascii(std::cout, *map.grid);
+  return done;
+}
+
 int show_scenario(const ShowOptions& options) {
+  if (options.subject.is_map_file()) return show_map(options);
   if (!options.out.empty()) {
     require_extension(options.out, {".png", ".svg"});
-    const Scenario scenario = proven_scenario(options.id, options.maps);
+    const Scenario scenario = proven_scenario(options.subject.id, options.subject.maps);
     write_picture(options.out, scenario, std::nullopt, scenario.id);
     return done;
   }
-  const Scenario scenario = proven_scenario(options.id, options.maps);
+  const Scenario scenario = proven_scenario(options.subject.id, options.subject.maps);
   if (scenario.world) {
     print_world(scenario.id, *scenario.world);
     std::fflush(stdout);
@@ -56,10 +75,12 @@ int show_scenario(const ShowOptions& options) {
 
 void add_scenarios_show(CLI::App& parent) {
   auto options = std::make_shared<ShowOptions>();
-  CLI::App* verb = add_verb(parent, "show", "draw a scenario on the terminal, or as a picture", "trap-u/20/3",
-                            [options] { return show_scenario(*options); });
-  verb->add_option("-o,--out", options->out, "draw it into a .png or .svg file instead")->type_name("FILE");
-  add_scenario_options(*verb, options->id, options->maps);
+  CLI::App* verb = add_verb(parent, "show", "draw a scenario or a map file on the terminal, or as a picture",
+                            "trap-u/20/3", [options] { return show_scenario(*options); });
+  verb->add_option("-o,--out", options->out,
+                   "draw it into a .png or .svg file instead (a map file: .png, one pixel a cell)")
+      ->type_name("FILE");
+  add_subject_options(*verb, options->subject);
 }
 
 }  // namespace pathrace::bench::cli

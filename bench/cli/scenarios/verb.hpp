@@ -4,7 +4,9 @@
 #include <string>
 
 #include "bench/cli/command.hpp"
+#include "bench/cli/options.hpp"
 #include "core/scenario.hpp"
+#include "scenarios/map_reader.hpp"
 
 namespace pathrace::bench::cli {
 
@@ -18,7 +20,20 @@ Scenario proven_scenario(const std::string& id, const std::string& maps);
 /// "33.3137", or "no way".
 std::string print_optimum(const Scenario& scenario);
 
-/// Adds the options ID and --maps.
-void add_scenario_options(CLI::App& verb, std::string& id, std::string& maps);
+/// What a verb is about: a scenario of the library, or a map file.
+struct Subject {
+  std::string id;  ///< of a scenario, or the path of a map file
+  std::string maps;
+  MapFileOptions map;
+
+  bool is_map_file() const;
+};
+
+/// Adds the options ID|FILE, --maps and those of map files.
+void add_subject_options(CLI::App& verb, Subject& subject);
+
+/// One line: size, free cells, and where the map lies.
+std::string describe_map(const std::string& file, const scenarios::GridMap& map,
+                         const MapFileOptions& options);
 
 }  // namespace pathrace::bench::cli
