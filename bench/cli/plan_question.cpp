@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "core/error.hpp"
 #include "scenarios/library.hpp"
 #include "scenarios/map_questions.hpp"
@@ -70,6 +72,7 @@ Asked ask(const PlanQuestion& question) {
   }
   if (!question.rule.empty()) {
     const auto rule = parse_name<MoveRule>("move rule", question.rule);
+    if (asked.scenario.world) throw InputError("--rule: there are no moves of cells in a dynamic world");
     asked.scenario = scenarios::under_rule(std::move(asked.scenario), rule);
   }
   scenarios::prove(asked.scenario);

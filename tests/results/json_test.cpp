@@ -29,14 +29,29 @@ std::vector<std::string> keys_of(const Json& object) {
 
 TEST(Json, HasTheAgreedKeysInTheirOrder) {
   TrialRow row = solved_row(1, "a", "trap-u/20/1");
-  std::vector<std::string> keys = {"scenario", "planner",  "verdict", "track",   "rule",         "length",
-                                   "optimum",  "gap",      "turns",   "cells",   "evaluations",  "iterations",
-                                   "checks",   "digest",   "backend", "threads", "threads_used", "wall_s",
-                                   "user_s",   "system_s", "note",    "counters"};
+  std::vector<std::string> keys = {
+      "scenario",    "planner",    "verdict",  "track",    "rule",    "length",  "optimum",
+      "gap",         "turns",      "cells",    "length_m", "start_m", "goal_m",  "points_m",
+      "evaluations", "iterations", "checks",   "digest",   "backend", "threads", "threads_used",
+      "wall_s",      "user_s",     "system_s", "note",     "counters"};
   EXPECT_EQ(keys_of(Json::parse(to_json(row, some_scenario()))), keys);
   row.track = Track::any_angle;
   keys[9] = "points";
   EXPECT_EQ(keys_of(Json::parse(to_json(row, some_scenario()))), keys);
+}
+
+TEST(Json, HasMetresWhereTheMapHasAFrame) {
+  const TrialRow row = solved_row(1, "a", "trap-u/20/1");
+  EXPECT_TRUE(Json::parse(to_json(row, some_scenario())).at("points_m").is_null());
+  InMetres metres;
+  metres.length = 1.5;
+  metres.start = {-1, 0.25};
+  metres.points = {{-1, 0.25}, {0.5, 0.25}};
+  const Json object = Json::parse(to_json(row, some_scenario(), metres));
+  EXPECT_EQ(object["length_m"], 1.5);
+  EXPECT_EQ(object["start_m"].dump(), "[-1.0,0.25]");
+  EXPECT_EQ(object["goal_m"].dump(), "[0.0,0.0]");
+  EXPECT_EQ(object["points_m"].dump(), "[[-1.0,0.25],[0.5,0.25]]");
 }
 
 TEST(Json, OfARunInADynamicWorldHasItsFigures) {
