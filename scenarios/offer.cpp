@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/error.hpp"
+#include "scenarios/components.hpp"
 #include "scenarios/map_reader.hpp"
 #include "scenarios/ros/map_yaml.hpp"
 #include "scenarios/text.hpp"
@@ -93,7 +94,11 @@ void offer_map_files(const fs::path& folder, const std::vector<fs::path>& known,
     }
     try {
       const GridMap map = read_map(file);
-      if (!is_too_large(file, *map.grid, limits, offer.left_out)) offer.files.push_back(file);
+      if (is_too_large(file, *map.grid, limits, offer.left_out)) continue;
+      if (largest_region(*map.grid).size() < 2) {
+        fail_in(printable_name(file.string()), "no two free cells side by side; a question needs two");
+      }
+      offer.files.push_back(file);
     } catch (const InputError& fault) {
       offer.left_out.push_back({"files that are no maps", fault.what()});
     }

@@ -73,11 +73,12 @@ TEST(Offer, WhatIsBrokenIsLeftOutAndTheRestIsOffered) {
   folder.write("x.map.scen", scen_of(1));
   folder.write("broken.scen", "version 3\n");
   folder.write("lost.scen", "version 1\n0\tlost.map\t3\t1\t0\t0\t2\t0\t2\n");
+  folder.write("full.txt", "101\n");
   folder.write("gone.yaml", "image: gone.pgm\nresolution: 1\norigin: [0, 0, 0]\n");
   const Library library(folder.path());
   const Offer offer = library.offer({});
   EXPECT_EQ(offer.ids, Ids{"movingai/x/1"});
-  for (const char* words : {"broken.scen:1:", "lost.scen:2:", "gone.yaml:1:"})
+  for (const char* words : {"broken.scen:1:", "lost.scen:2:", "gone.yaml:1:", "full.txt: no two free"})
     EXPECT_TRUE(mentions(offer, words));
   EXPECT_EQ(library.load("movingai/x/1").goal, (Cell{2, 0}));
   EXPECT_NE(message_of<InputError>([&] { library.load("movingai/broken/1"); }).find("broken.scen:1"),
