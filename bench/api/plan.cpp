@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -17,14 +16,6 @@ namespace {
 Cell cell_at(const GridMap& map, Metres place, std::string_view end) {
   if (const auto cell = map.frame.cell_at(place)) return *cell;
   throw InputError(fmt::format("the {} at {} m, {} m is not on the map", end, place.x, place.y));
-}
-
-Metres place_of(const scenarios::MapFrame& frame, Point point) {
-  const double x = (point.x + 0.5) * frame.resolution;
-  const double y = (frame.height - 0.5 - point.y) * frame.resolution;
-  const double c = std::cos(frame.yaw);
-  const double s = std::sin(frame.yaw);
-  return {frame.origin.x + c * x - s * y, frame.origin.y + s * x + c * y};
 }
 
 void require_outcome(const TrialRecord& record, std::string_view planner) {
@@ -45,9 +36,9 @@ Plan plan_of(const TrialRecord& record, const scenarios::MapFrame& frame) {
   plan.work = record.work;
   if (record.verdict != Verdict::solved) return plan;
   plan.points = record.answer->points;
-  for (const Point point : plan.points) plan.points_m.push_back(place_of(frame, point));
+  for (const Point point : plan.points) plan.points_m.push_back(frame.place_of(point));
   plan.length = record.metrics->length;
-  plan.length_m = plan.length * frame.resolution;
+  plan.length_m = frame.metres(plan.length);
   return plan;
 }
 
