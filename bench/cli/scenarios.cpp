@@ -30,8 +30,8 @@ std::string print_optimum(const Scenario& scenario) {
 }
 
 bool Subject::is_map_file() const {
-  const std::vector<std::string>& maps = scenarios::map_extensions();
-  return std::find(maps.begin(), maps.end(), std::filesystem::path(id).extension().string()) != maps.end();
+  const std::vector<std::string>& known = scenarios::map_extensions();
+  return std::find(known.begin(), known.end(), std::filesystem::path(id).extension().string()) != known.end();
 }
 
 void add_subject_options(CLI::App& verb, Subject& subject) {
