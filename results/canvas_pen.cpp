@@ -2,11 +2,11 @@
 
 #include <cmath>
 
+#include "core/utf8.hpp"
 #include "results/canvas_map.hpp"
 #include "results/canvas_overlay.hpp"
 #include "results/font.hpp"
 #include "results/polyline.hpp"
-#include "results/utf8.hpp"
 
 namespace pathrace::results {
 namespace {

@@ -9,23 +9,10 @@
 namespace pathrace::results {
 
 /// The text as one field: in double quotes, inner ones doubled, when it holds a comma, a quote or a line end.
-inline std::string csv_field(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-  std::string field = "\"";
-  for (const char letter : text) {
-    if (letter == '"') field += '"';
-    field += letter;
-  }
-  return field + '"';
-}
+/// What a spreadsheet would run as a formula - a text of two letters or more that begins with = + - @, a tab
+/// or a carriage return and is no number - gets a ' in front, which spreadsheets take as "this is text".
+std::string csv_field(std::string_view text);
 
-inline void write_csv_line(std::ostream& out, const std::vector<std::string>& fields) {
-  const char* separator = "";
-  for (const std::string& field : fields) {
-    out << separator << csv_field(field);
-    separator = ",";
-  }
-  out << '\n';
-}
+void write_csv_line(std::ostream& out, const std::vector<std::string>& fields);
 
 }  // namespace pathrace::results

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "results/utf8.hpp"
+#include "core/utf8.hpp"
 
 namespace pathrace::results {
 namespace {

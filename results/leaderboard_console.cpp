@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <span>
 
+#include "core/plain_text.hpp"
+#include "core/utf8.hpp"
 #include "results/leaderboard.hpp"
 #include "results/leaderboard_columns.hpp"
-#include "results/utf8.hpp"
 
 namespace pathrace::results {
 namespace {
@@ -45,7 +46,7 @@ std::vector<Column> columns_of(Block block) {
   for (const LeaderboardColumn& card : leaderboard_columns()) {
     if (!belongs(card, block)) continue;
     Column& column = columns.emplace_back(Column{&card, {std::string(card.console_name)}});
-    for (const Standing& standing : block) column.cells.push_back(card.console(standing));
+    for (const Standing& standing : block) column.cells.push_back(escape_controls(card.console(standing)));
     measure(column);
   }
   return columns;
@@ -91,7 +92,7 @@ std::string line_of(const std::vector<Column>& columns, std::size_t row) {
 }
 
 std::string headline_of(const Standing& standing) {
-  const std::string group = standing.group.empty() ? "" : standing.group + ", ";
+  const std::string group = standing.group.empty() ? "" : escape_controls(standing.group) + ", ";
   switch (standing.track) {
     case Track::lattice: return group + "lattice: from cell to cell";
     case Track::any_angle: return group + "any_angle: straight through free space";

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include "core/utf8.hpp"
 #include "results/svg_map.hpp"
-#include "results/utf8.hpp"
 #include "results/xml.hpp"
 
 namespace pathrace::results {

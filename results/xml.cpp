@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "results/utf8.hpp"
+#include "core/utf8.hpp"
 
 namespace pathrace::results {
 namespace {

@@ -12,6 +12,7 @@
 #include "core/checkpoint.hpp"
 #include "core/error.hpp"
 #include "core/names.hpp"
+#include "core/plain_text.hpp"
 
 namespace pathrace::bench::cli {
 
@@ -21,12 +22,13 @@ namespace pathrace::bench::cli {
 
 namespace {
 
+// Whatever was quoted in it: no line ends, nothing that a terminal obeys.
 std::string one_line(std::string text) {
   for (char& c : text) {
     if (c == '\n' || c == '\r') c = ' ';
   }
   while (!text.empty() && text.back() == ' ') text.pop_back();
-  return text;
+  return escape_controls(text);
 }
 
 int complain(const std::string& what, int code) {

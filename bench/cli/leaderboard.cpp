@@ -48,7 +48,10 @@ void add_leaderboard(CLI::App& app) {
   options->add_option("folder", command->folder, "the folder of a run")->required()->type_name("DIR");
   options->add_option("--by", command->by, "one table per scenario family")->type_name("family");
   options->add_flag("--wide", command->wide, "every column and whole labels, however long the lines");
-  options->add_option("--csv", command->csv, "write the table as CSV as well")->type_name("FILE");
+  options
+      ->add_option("--csv", command->csv,
+                   "write the table as CSV as well; a text that would be a formula gets a ' in front")
+      ->type_name("FILE");
 }
 
 }  // namespace pathrace::bench::cli

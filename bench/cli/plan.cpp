@@ -20,6 +20,7 @@
 #include "bench/trial.hpp"
 #include "core/error.hpp"
 #include "core/hash.hpp"
+#include "core/plain_text.hpp"
 #include "core/referee.hpp"
 #include "results/json.hpp"
 #include "results/outcome_count.hpp"
@@ -66,9 +67,10 @@ void print_run(const results::TrialRow& row) {
 }
 
 void print_summary(const results::TrialRow& row, bool moves, const std::optional<results::InMetres>& metres) {
-  fmt::print("scenario     {} ({})\n", row.scenario, moves ? "dynamic" : name(row.rule));
+  fmt::print("scenario     {} ({})\n", escape_controls(row.scenario), moves ? "dynamic" : name(row.rule));
   fmt::print("planner      {}\n", row.planner);
-  fmt::print("verdict      {}{}{}\n", name(row.verdict), row.note.empty() ? "" : ": ", row.note);
+  fmt::print("verdict      {}{}{}\n", name(row.verdict), row.note.empty() ? "" : ": ",
+             escape_controls(row.note));
   if (moves) {
     print_run(row);
   } else if (metres) {

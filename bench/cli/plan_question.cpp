@@ -42,7 +42,7 @@ void add_question_options(CLI::App& command, PlanQuestion& question) {
   command.add_option("--scenario", question.scenario, "a scenario of the library")->type_name("ID");
   command
       .add_option("--map", question.map,
-                  "a map file (.map .yaml .yml .pgm .png .bmp .csv .txt), with --start and --goal")
+                  "a map file (.map .yaml .yml .pgm .ppm .pbm .png .bmp .csv .txt), with --start and --goal")
       ->type_name("FILE");
   command.add_option("--start", question.start, "a cell; 0,0 is the upper left")->type_name("X,Y");
   command.add_option("--goal", question.goal, "a cell")->type_name("X,Y");

@@ -19,6 +19,7 @@
 #include "bench/stop.hpp"
 #include "core/checkpoint.hpp"
 #include "core/error.hpp"
+#include "core/plain_text.hpp"
 #include "results/leaderboard.hpp"
 
 namespace pathrace::bench::cli {
@@ -40,7 +41,7 @@ struct RunCommand {
 };
 
 void say(const std::string& line) {
-  fmt::print(stderr, "{}\n", line);
+  fmt::print(stderr, "{}\n", escape_controls(line));
 }
 
 bool has_store(const RunFolder& folder) {

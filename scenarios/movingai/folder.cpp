@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/plain_text.hpp"
 #include "scenarios/text.hpp"
 
 namespace pathrace::scenarios {
@@ -55,7 +56,9 @@ Listing sorted_listing(const fs::path& folder) {
 
 std::string name_of(const fs::path& scen) {
   const fs::path stem = scen.stem();
-  return (stem.extension() == ".map" ? stem.stem() : stem).string();
+  std::string name = (stem.extension() == ".map" ? stem.stem() : stem).string();
+  require_plain_name(scen.string(), "is named", name);
+  return name;
 }
 
 // "dao-map" for "dao-scen".

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/names.hpp"
+#include "core/plain_text.hpp"
 #include "core/stream.hpp"
 #include "scenarios/components.hpp"
 #include "scenarios/family.hpp"
@@ -44,7 +45,9 @@ std::vector<RosMapEntry> named(const std::vector<fs::path>& files) {
   for (const fs::path& file : files) {
     const std::string stem = file.stem().string();
     const std::string above = file.parent_path().filename().string();
-    entries.push_back({uses[stem] == 1 ? stem : fmt::format("{}-{}", above, stem), file});
+    const std::string name = uses[stem] == 1 ? stem : fmt::format("{}-{}", above, stem);
+    require_plain_name(file.string(), "is named", name);
+    entries.push_back({name, file});
   }
   std::stable_sort(entries.begin(), entries.end(),
                    [](const RosMapEntry& a, const RosMapEntry& b) { return a.name < b.name; });

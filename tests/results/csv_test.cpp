@@ -18,6 +18,24 @@ TEST(Csv, QuotesOnlyWhatNeedsIt) {
   EXPECT_EQ(csv_field("\r"), "\"\r\"");
 }
 
+TEST(Csv, TextThatASpreadsheetWouldRunIsMarkedAsText) {
+  EXPECT_EQ(csv_field("=cmd|'/C calc'!A0"), "'=cmd|'/C calc'!A0");
+  EXPECT_EQ(csv_field("=HYPERLINK(\"x\",1)"), "\"'=HYPERLINK(\"\"x\"\",1)\"");
+  EXPECT_EQ(csv_field("+1+1"), "'+1+1");
+  EXPECT_EQ(csv_field("-1+1"), "'-1+1");
+  EXPECT_EQ(csv_field("@SUM(A1)"), "'@SUM(A1)");
+  EXPECT_EQ(csv_field("\t=1"), "'\t=1");
+  EXPECT_EQ(csv_field("\r=1"), "\"'\r=1\"");
+}
+
+TEST(Csv, NumbersStayNumbers) {
+  for (const char* number : {"-1", "-0.5", "-1e-300", "-inf", "-1e999", "0", "1e+20"}) {
+    EXPECT_EQ(csv_field(number), number);
+  }
+  EXPECT_EQ(csv_field("-"), "-");
+  EXPECT_EQ(csv_field("a=b"), "a=b");
+}
+
 TEST(Csv, SeparatesFieldsByCommas) {
   std::ostringstream out;
   write_csv_line(out, {"a", "", "b,c"});

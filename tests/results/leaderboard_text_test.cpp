@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "core/utf8.hpp"
 #include "results/leaderboard.hpp"
-#include "results/utf8.hpp"
 #include "tests/results/rows.hpp"
 
 namespace pathrace::results {
@@ -166,6 +166,16 @@ TEST(LeaderboardConsole, PrintsATablePerFamily) {
   EXPECT_EQ(text.find("dense, lattice: from cell to cell\nrank"), 0U);
   EXPECT_NE(text.find("\n\ntrap-u, lattice: from cell to cell\nrank"), std::string::npos);
   EXPECT_EQ(text.find("dense", 5), std::string::npos);
+}
+
+TEST(LeaderboardConsole, NamesFromAForeignStoreDoNotCommandTheTerminal) {
+  Standing standing = some_standing();
+  standing.planner = "\x1b[31mRED\nrow";
+  standing.group = "a\x07";
+  const std::string text = console({standing});
+  EXPECT_NE(text.find("\\x1b[31mRED\\x0arow"), std::string::npos) << text;
+  EXPECT_NE(text.find("a\\x07, lattice"), std::string::npos) << text;
+  EXPECT_EQ(text.find_first_of("\x1b\x07"), std::string::npos);
 }
 
 TEST(LeaderboardConsole, SaysSoWhenThereIsNothing) {

@@ -49,6 +49,16 @@ TEST(MovingAiFolder, ScensAreFoundAtEveryDepthAndSortedByName) {
   EXPECT_EQ(found[2].name, "empty-random-1");
 }
 
+TEST(MovingAiFolder, ANameThatCommandsTheTerminalIsRefused) {
+  const TemporaryFolder folder;
+  folder.write("x.map", some_map);
+  folder.write("a\x1b[2J.scen", scen_on("x.map"));
+  const std::string message = refusal(folder.path());
+  EXPECT_NE(message.find("is named 'a\\x1b[2J'; expected a name without control characters"),
+            std::string::npos)
+      << message;
+}
+
 TEST(MovingAiFolder, TheMapBesideTheScenGoesFirst) {
   const TemporaryFolder folder;
   folder.write("a/x.map", some_map);

@@ -89,6 +89,13 @@ TEST(RosQueries, MapsMayLieInTheFolderBeside) {
   EXPECT_EQ(find_ros_maps(folder.path() / "movingai").size(), 1U);
 }
 
+TEST(RosQueries, ANameThatCommandsTheTerminalIsRefused) {
+  const TemporaryFolder folder;
+  write_map(folder, "two\nlines");
+  const std::string message = message_of<InputError>([&] { find_ros_maps(folder.path()); });
+  EXPECT_NE(message.find("is named 'two\\x0alines'"), std::string::npos) << message;
+}
+
 TEST(RosQueries, FaultsAreNamed) {
   const TemporaryFolder folder;
   write_map(folder, "yard");

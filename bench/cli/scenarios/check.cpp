@@ -10,6 +10,7 @@
 #include "bench/roster.hpp"
 #include "bench/trial_plan.hpp"
 #include "core/error.hpp"
+#include "core/plain_text.hpp"
 #include "scenarios/library.hpp"
 #include "scenarios/map_reader.hpp"
 #include "scenarios/movingai/folder.hpp"
@@ -40,17 +41,17 @@ int check_scen(const CheckOptions& options) {
       scenarios::scenario_of("", map, scen, query);
     } catch (const InvalidScenario& fault) {
       ++bad;
-      fmt::print("{}\n", fault.what());
+      fmt::print("{}\n", escape_controls(fault.what()));
     }
   }
-  fmt::print("{}: {} queries on {}, {} bad\n", file.string(), scen.queries.size(),
-             map_file.filename().string(), bad);
+  fmt::print("{}: {} queries on {}, {} bad\n", escape_controls(file.string()), scen.queries.size(),
+             escape_controls(map_file.filename().string()), bad);
   return bad > 0 ? something_found : done;
 }
 
 int check_map(const CheckOptions& options) {
   const scenarios::GridMap map = scenarios::read_map(options.file, map_options(options.map));
-  fmt::print("{}\n", describe_map(options.file, map, options.map));
+  fmt::print("{}\n", escape_controls(describe_map(options.file, map, options.map)));
   return done;
 }
 
@@ -60,9 +61,9 @@ int check_campaign(const CheckOptions& options) {
   settle_maps(campaign, options.maps_folder(), maps_folder(""), left_out);
   const TrialPlan plan = plan_trials(campaign, scenarios::Library(campaign.maps), roster());
   left_out.insert(left_out.end(), plan.left_out.begin(), plan.left_out.end());
-  for (const std::string& line : left_out) fmt::print(stderr, "left out: {}\n", line);
-  fmt::print("{}: a campaign of {} trials, {} planners, {} scenarios\n", options.file, plan.size(),
-             plan.entrants.size(), plan.scenarios.size());
+  for (const std::string& line : left_out) fmt::print(stderr, "left out: {}\n", escape_controls(line));
+  fmt::print("{}: a campaign of {} trials, {} planners, {} scenarios\n", escape_controls(options.file),
+             plan.size(), plan.entrants.size(), plan.scenarios.size());
   return done;
 }
 

@@ -9,6 +9,7 @@
 #include "bench/cli/scenarios/verb.hpp"
 #include "bench/run_folder.hpp"
 #include "core/hash.hpp"
+#include "core/plain_text.hpp"
 #include "scenarios/ascii.hpp"
 #include "scenarios/image/png_writer.hpp"
 
@@ -41,7 +42,7 @@ int show_map(const ShowOptions& options) {
     write_file(options.out, bytes.str());
     return done;
   }
-  fmt::print("{}\n", describe_map(file, map, options.subject.map));
+  fmt::print("{}\n", escape_controls(describe_map(file, map, options.subject.map)));
   std::fflush(stdout);
   scenarios::print_ascii(std::cout, *map.grid);
   return done;

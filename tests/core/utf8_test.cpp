@@ -1,10 +1,10 @@
-#include "results/utf8.hpp"
+#include "core/utf8.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-namespace pathrace::results {
+namespace pathrace {
 namespace {
 
 TEST(Utf8, KnowsHowManyBytesALetterHas) {
@@ -13,6 +13,9 @@ TEST(Utf8, KnowsHowManyBytesALetterHas) {
   EXPECT_EQ(letter_size("\xE2\x82\xAC"), 3U);
   EXPECT_EQ(letter_size("\xF0\x9F\x90\x9C"), 4U);
   EXPECT_EQ(letter_size(""), 0U);
+  EXPECT_EQ(code_point("a", 1), 0x61U);
+  EXPECT_EQ(code_point("\xE2\x82\xAC", 3), 0x20ACU);
+  EXPECT_EQ(code_point("\xF0\x9F\x90\x9C", 4), 0x1F41CU);
 }
 
 TEST(Utf8, NeverLooksBeyondTheText) {
@@ -39,4 +42,4 @@ TEST(Utf8, ShortensTextInItsMiddle) {
 }
 
 }  // namespace
-}  // namespace pathrace::results
+}  // namespace pathrace

@@ -1,9 +1,8 @@
-#include "results/utf8.hpp"
+#include "core/utf8.hpp"
 
 #include <algorithm>
-#include <cstdint>
 
-namespace pathrace::results {
+namespace pathrace {
 namespace {
 
 std::uint32_t byte_at(std::string_view text, std::size_t i) {
@@ -30,12 +29,17 @@ std::size_t letter_size(std::string_view text) {
   if (text.empty()) return 0;
   const std::size_t size = promised_size(byte_at(text, 0));
   if (size <= 1 || size > text.size()) return size == 1 ? 1 : 0;
-  std::uint32_t code = byte_at(text, 0) & (0x7FU >> size);
   for (std::size_t i = 1; i < size; ++i) {
     if ((byte_at(text, i) & 0xC0U) != 0x80U) return 0;
-    code = (code << 6) | (byte_at(text, i) & 0x3FU);
   }
-  return forbidden(code, size) ? 0 : size;
+  return forbidden(code_point(text, size), size) ? 0 : size;
+}
+
+std::uint32_t code_point(std::string_view text, std::size_t size) {
+  if (size == 1) return byte_at(text, 0);
+  std::uint32_t code = byte_at(text, 0) & (0x7FU >> size);
+  for (std::size_t i = 1; i < size; ++i) code = (code << 6) | (byte_at(text, i) & 0x3FU);
+  return code;
 }
 
 std::size_t letter_count(std::string_view text) {
@@ -58,4 +62,4 @@ std::string shortened(std::string_view text, std::size_t letters) {
   return std::string(begin) + "\u2026" + std::string(from(count - tail));
 }
 
-}  // namespace pathrace::results
+}  // namespace pathrace
