@@ -81,8 +81,9 @@ struct Kind {
 
 const std::vector<Kind>& kinds() {
   static const std::vector<Kind> all = {
-      {".map", read_movingai}, {".yaml", read_yaml},   {".yml", read_yaml},   {".pgm", read_picture},
-      {".png", read_picture},  {".bmp", read_picture}, {".csv", read_digits}, {".txt", read_digits},
+      {".map", read_movingai}, {".yaml", read_yaml},   {".yml", read_yaml},    {".pgm", read_picture},
+      {".ppm", read_picture},  {".pbm", read_picture}, {".png", read_picture}, {".bmp", read_picture},
+      {".csv", read_digits},   {".txt", read_digits},
   };
   return all;
 }

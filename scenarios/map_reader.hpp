@@ -2,7 +2,7 @@
 //
 //   .map               MovingAI
 //   .yaml .yml         ROS, with the picture that it names
-//   .pgm .png .bmp     a picture alone: dark is blocked, by map_server's usual thresholds
+//   .pgm .ppm .pbm .png .bmp  a picture alone: dark is blocked, by map_server's usual thresholds
 //   .csv .txt          rows of 0 and 1
 #pragma once
 

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/grid.hpp"
+#include "core/plain_text.hpp"
 
 namespace pathrace::scenarios {
 namespace {
@@ -44,12 +45,7 @@ std::string printable(std::string_view value) {
 }
 
 std::string printable_name(std::string_view name) {
-  std::string result;
-  for (const char character : name) {
-    const auto byte = static_cast<unsigned char>(character);
-    result += is_control(byte) ? escaped(byte) : std::string(1, character);
-  }
-  return result;
+  return escape_controls(name);
 }
 
 void fail_at(std::string_view name, int line, std::string_view what) {
@@ -68,6 +64,17 @@ void require_map_size(std::string_view name, int line, std::int64_t width, std::
                                        width, height, side, OccupancyGrid::max_cells);
   if (line == 0) fail_in(name, what);
   fail_at(name, line, what);
+}
+
+std::string_view text_of(std::string_view bytes, std::string_view name) {
+  constexpr std::string_view utf8_mark = "\xef\xbb\xbf";
+  if (bytes.starts_with(utf8_mark)) return bytes.substr(utf8_mark.size());
+  const auto zero = [&](std::size_t i) { return bytes[i] == '\0'; };
+  const bool alternates = bytes.size() >= 4 && zero(0) == zero(2) && zero(1) == zero(3) && zero(0) != zero(1);
+  if (alternates || bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) {
+    fail_at(name, 1, "UTF-16 text; expected UTF-8: save the file as that");
+  }
+  return bytes;
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -103,7 +110,7 @@ std::optional<double> real_number(std::string_view text) {
   return number_of<double>(text);
 }
 
-Lines::Lines(std::string_view text) {
+Lines::Lines(std::string_view text) : ending_(text.find('\n') == std::string_view::npos ? '\r' : '\n') {
   const std::size_t last = text.find_last_not_of(blanks);
   rest_ = last == std::string_view::npos ? std::string_view{} : text.substr(0, last + 1);
 }
@@ -111,7 +118,7 @@ Lines::Lines(std::string_view text) {
 std::optional<std::string_view> Lines::next() {
   ++number_;
   if (rest_.empty()) return std::nullopt;
-  const std::size_t end = rest_.find('\n');
+  const std::size_t end = rest_.find(ending_);
   std::string_view line = rest_.substr(0, end);
   rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
   if (line.ends_with('\r')) line.remove_suffix(1);

@@ -1,7 +1,9 @@
 // Grids of 0 and 1 as text: a row of the map on each line, 0 free, 1 blocked.
 //
 // The digits of a row follow one another (`0110`), or stand between separators: a comma, a semicolon, blanks
-// or tabs, or one of the two with blanks around it.
+// or tabs, or one of the two with blanks around it. Between separators a cell may be quoted ("0"), or a
+// number that equals 0 or 1 (1.000e+00, as numpy.savetxt writes); one separator may follow the last cell.
+// Other numbers are refused: cells have no weights.
 #pragma once
 
 #include <filesystem>

@@ -1,8 +1,12 @@
 // Netpbm pictures, text and binary.
 //
-// Header: the magic number, width, height and the greatest value, between blanks and comments. One blank,
-// then the samples: numbers as text (P2, P3), or bytes (P5, P6), two of them, the high one first, when the
-// greatest value is above 255.
+// Header: the magic number, width, height and the greatest value (none in PBM), between blanks and comments.
+// One blank or line end, then the samples: numbers as text (P1, P2, P3), or bytes (P5, P6), two of them, the
+// high one first, when the greatest value is above 255, or bits (P4), rows padded to bytes. In PBM 1 is
+// black.
+//
+// Where binary samples begin shifts every pixel, so their number decides: programs end the header with CRLF
+// or put a comment there, which the format does not provide for.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -47,12 +51,41 @@ class Scanner {
     return value;
   }
 
-  // What follows the one blank behind the header.
-  std::string_view raster() {
-    if (at_ < text_.size() && !is_blank(text_[at_])) {
-      fail_at(name_, line_, "no blank after the greatest value; expected one before the samples");
+  // A digit of its own, 0 or 1; PBM needs no blanks between them.
+  std::uint32_t bit() {
+    skip_blanks();
+    if (at_ >= text_.size()) fail_at(name_, line_, "the file ends; expected a pixel, 0 or 1");
+    const char digit = text_[at_++];
+    if (digit != '0' && digit != '1') {
+      fail_at(name_, line_, fmt::format("'{}'; expected a pixel, 0 or 1", printable({&digit, 1})));
     }
-    return text_.substr(std::min(at_ + 1, text_.size()));
+    return digit == '1' ? 1 : 0;
+  }
+
+  std::size_t left() const { return text_.size() - at_; }
+
+  void require_end() {
+    skip_blanks();
+    if (left() > 0) {
+      fail_at(name_, line_,
+              fmt::format("'{}' behind the last sample; expected the end of the file",
+                          printable(text_.substr(at_))));
+    }
+  }
+
+  // The `needed` bytes of samples behind the header.
+  std::string_view raster(std::size_t needed) const {
+    const std::string_view plain = text_.substr(behind_line_end(at_));
+    if (plain.size() == needed) return plain;
+    const std::string_view raster = text_.substr(behind_comments());
+    const bool ends_with_blanks =
+        raster.size() > needed && !is_blank(raster.front()) &&
+        std::all_of(raster.begin() + static_cast<std::ptrdiff_t>(needed), raster.end(), is_blank);
+    if (raster.size() == needed || ends_with_blanks) return raster.substr(0, needed);
+    const bool second = raster.size() > needed && trimmed(raster.substr(needed)).starts_with('P');
+    fail_in(name_,
+            fmt::format("holds {} bytes of samples; expected {}, by width, height and greatest value{}",
+                        raster.size(), needed, second ? ", and no second picture" : ""));
   }
 
  private:
@@ -63,11 +96,28 @@ class Scanner {
   void skip_blanks() {
     while (at_ < text_.size() && (is_blank(text_[at_]) || text_[at_] == '#')) {
       if (text_[at_] == '#') {
-        at_ = std::min(text_.find('\n', at_), text_.size());
+        at_ = std::min(text_.find_first_of("\r\n", at_), text_.size());
       } else {
         if (text_[at_] == '\n') ++line_;
         ++at_;
       }
+    }
+  }
+
+  // Behind one blank; CR and LF together are one.
+  std::size_t behind_line_end(std::size_t at) const {
+    const std::size_t size = text_.substr(at, 2) == "\r\n" ? 2 : 1;
+    return std::min(at + size, text_.size());
+  }
+
+  // Behind the lines of comments that follow the header; behind one blank when none does.
+  std::size_t behind_comments() const {
+    std::size_t behind = text_.substr(at_).starts_with('#') ? at_ : behind_line_end(at_);
+    while (true) {
+      const std::size_t comment = std::min(text_.find_first_not_of(" \t\r\n", behind), text_.size());
+      const std::size_t end = text_.find_first_of("\r\n", comment);
+      if (!text_.substr(comment).starts_with('#') || end == std::string_view::npos) return behind;
+      behind = behind_line_end(end);
     }
   }
 
@@ -81,9 +131,10 @@ struct Header {
   int width = 0;
   int height = 0;
   std::uint32_t channels = 1;
-  std::uint32_t greatest = 0;
+  std::uint32_t greatest = 1;
 
   std::size_t pixels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
+  std::size_t samples() const { return channels * pixels(); }
 };
 
 Header read_header(Scanner& scanner, char kind, const std::string& name) {
@@ -93,18 +144,10 @@ Header read_header(Scanner& scanner, char kind, const std::string& name) {
   require_map_size(name, 0, width, height);
   header.width = static_cast<int>(width);
   header.height = static_cast<int>(height);
-  header.greatest = scanner.number("the greatest value", 1, greatest_value);
+  const bool bits = kind == '1' || kind == '4';
+  if (!bits) header.greatest = scanner.number("the greatest value", 1, greatest_value);
   header.channels = kind == '3' || kind == '6' ? 3 : 1;
   return header;
-}
-
-// A picture of text takes at least a digit and a blank a sample: no file of a few bytes makes us reserve
-// more.
-void require_bytes(std::size_t held, std::size_t needed, const std::string& name) {
-  if (held < needed) {
-    fail_in(name, fmt::format("holds {} bytes of samples; expected {}, by width, height and greatest value",
-                              held, needed));
-  }
 }
 
 template <typename Next>
@@ -116,15 +159,24 @@ std::vector<std::uint32_t> pixel_sums(const Header& header, Next next) {
   return sums;
 }
 
-std::vector<std::uint32_t> read_text(Scanner& scanner, const Header& header, const std::string& name) {
-  require_bytes(scanner.raster().size() + 1, 2 * header.channels * header.pixels() - 1, name);
-  return pixel_sums(header, [&] { return scanner.number("a sample", 0, header.greatest); });
+// No file of a few bytes makes us take more memory: a text holds `least` bytes at least.
+std::vector<std::uint32_t> read_text(Scanner& scanner, const Header& header, char kind,
+                                     const std::string& name) {
+  const std::size_t least = kind == '1' ? header.samples() : 2 * header.samples() - 1;
+  if (scanner.left() < least) {
+    fail_in(name, fmt::format("holds {} bytes of samples; expected {}, by width, height and greatest value",
+                              scanner.left(), least));
+  }
+  std::vector<std::uint32_t> sums = pixel_sums(header, [&] {
+    return kind == '1' ? 1 - scanner.bit() : scanner.number("a sample", 0, header.greatest);
+  });
+  scanner.require_end();
+  return sums;
 }
 
-std::vector<std::uint32_t> read_bytes(std::string_view raster, const Header& header,
-                                      const std::string& name) {
+std::vector<std::uint32_t> read_bytes(const Scanner& scanner, const Header& header, const std::string& name) {
   const std::size_t wide = header.greatest > 255 ? 2 : 1;
-  require_bytes(raster.size(), wide * header.channels * header.pixels(), name);
+  const std::string_view raster = scanner.raster(wide * header.samples());
   std::size_t at = 0;
   return pixel_sums(header, [&] {
     std::uint32_t sample = 0;
@@ -139,14 +191,31 @@ std::vector<std::uint32_t> read_bytes(std::string_view raster, const Header& hea
   });
 }
 
+std::vector<std::uint32_t> read_bits(const Scanner& scanner, const Header& header) {
+  const std::size_t width = static_cast<std::size_t>(header.width);
+  const std::size_t stride = (width + 7) / 8;
+  const std::string_view raster = scanner.raster(stride * static_cast<std::size_t>(header.height));
+  std::size_t x = 0;
+  std::size_t row = 0;
+  return pixel_sums(header, [&] {
+    const auto byte = static_cast<unsigned char>(raster[row * stride + x / 8]);
+    const std::uint32_t black = byte >> (7 - x % 8) & 1U;
+    if (++x == width) {
+      x = 0;
+      ++row;
+    }
+    return 1 - black;
+  });
+}
+
 }  // namespace
 
 GreyImage parse_pnm(std::string_view bytes, const std::string& name) {
   const char kind = bytes.size() < 2 ? '\0' : bytes[1];
-  const bool known = kind == '2' || kind == '3' || kind == '5' || kind == '6';
+  const bool known = kind >= '1' && kind <= '6';
   if (!bytes.starts_with("P") || !known || (bytes.size() > 2 && !is_blank(bytes[2]) && bytes[2] != '#')) {
     fail_at(name, 1,
-            fmt::format("begins with '{}'; expected P2 or P5 (grey), P3 or P6 (colour)",
+            fmt::format("begins with '{}'; expected P1 or P4 (bits), P2 or P5 (grey), P3 or P6 (colour)",
                         printable(bytes.substr(0, 3))));
   }
   Scanner scanner(bytes, name);
@@ -155,7 +224,11 @@ GreyImage parse_pnm(std::string_view bytes, const std::string& name) {
   image.width = header.width;
   image.height = header.height;
   image.white = header.channels * header.greatest;
-  image.samples = kind < '5' ? read_text(scanner, header, name) : read_bytes(scanner.raster(), header, name);
+  if (kind < '4') {
+    image.samples = read_text(scanner, header, kind, name);
+  } else {
+    image.samples = kind == '4' ? read_bits(scanner, header) : read_bytes(scanner, header, name);
+  }
   return image;
 }
 

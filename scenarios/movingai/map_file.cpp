@@ -48,7 +48,8 @@ void require_cells(std::string_view row, const MapHeader& header, const Lines& l
 // The rows below the header; together they are exactly the header's cells, each of them known.
 std::vector<std::string_view> read_rows(Lines& lines, const MapHeader& header, const std::string& name) {
   std::vector<std::string_view> rows;
-  while (const std::optional<std::string_view> row = lines.next()) {
+  while (std::optional<std::string_view> row = lines.next()) {
+    row->remove_suffix(row->size() - (row->find_last_not_of(" \t") + 1));  // npos + 1 is 0
     if (rows.size() == static_cast<std::size_t>(header.height)) {
       fail_at(name, lines.number(),
               fmt::format("'{}' after the last row; expected {} rows, the header's height", printable(*row),
@@ -83,13 +84,13 @@ MapFile MapFile::read(const std::filesystem::path& file) {
   const std::string name = file.string();
   const std::uintmax_t size = size_of_file(file);
   const std::string head = first_bytes(file, std::min(size, longest_header));
-  Lines lines(head);
+  Lines lines(text_of(head, name));
   require_plausible_size(read_map_header(lines, name), size, name);
   return parse(first_bytes(file, size), name);
 }
 
 MapFile MapFile::parse(std::string_view text, const std::string& name) {
-  Lines lines(text);
+  Lines lines(text_of(text, name));
   const MapHeader header = read_map_header(lines, name);
   require_plausible_size(header, text.size(), name);
   const std::vector<std::string_view> rows = read_rows(lines, header, name);

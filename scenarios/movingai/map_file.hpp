@@ -1,8 +1,9 @@
 // A MovingAI map: the `.map` files of the grid benchmarks.
 //
 // Four header lines (`type octile`, `height H`, `width W` in any order, then `map`) and H rows of W
-// characters, the upper left cell first. `.`, `G` and `S` are ground, `@`, `O` and `T` are always blocked,
-// and `W` is water: free only for a query that starts and ends in water, so a map is two grids in one.
+// characters, the upper left cell first; blanks at a row's end are passed over. `.`, `G` and `S` are ground,
+// `@`, `O` and `T` are always blocked, and `W` is water: free only for a query that starts and ends in water,
+// so a map is two grids in one.
 //
 // N. Sturtevant, "Benchmarks for Grid-Based Pathfinding", IEEE Trans. Computational Intelligence and AI in
 // Games 4(2), 2012; https://movingai.com/benchmarks/formats.html

@@ -105,7 +105,7 @@ ScenFile ScenFile::read(const std::filesystem::path& file) {
 
 ScenFile ScenFile::parse(std::string_view text, const std::string& name) {
   ScenFile scen{name, {}};
-  Lines lines(text);
+  Lines lines(text_of(text, name));
   require_version(lines, name);
   while (const std::optional<std::string_view> line = lines.next()) {
     if (!trimmed(*line).empty()) scen.queries.push_back(read_query(*line, lines.number(), name));

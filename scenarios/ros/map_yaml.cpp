@@ -4,6 +4,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <map>
 
@@ -109,8 +110,8 @@ void read_rule(const Keys& keys, OccupancyRule& rule) {
   if (keys.has("negate")) {
     const YAML::Node& node = keys.required("negate");
     const std::string text = node.IsScalar() ? node.Scalar() : "";
-    const bool yes = text == "1" || text == "true";
-    if (!yes && text != "0" && text != "false") keys.refuse("negate", "0 or 1");
+    bool yes = text == "1";
+    if (!yes && text != "0" && !YAML::convert<bool>::decode(node, yes)) keys.refuse("negate", "0 or 1");
     rule.negate = yes;
   }
   if (keys.has("mode")) {
@@ -125,6 +126,13 @@ void read_rule(const Keys& keys, OccupancyRule& rule) {
   }
 }
 
+// "~/x.pgm" lies in the home folder; a relative path beside the yaml, an absolute one stands alone.
+fs::path picture_path(const std::string& image, const fs::path& yaml) {
+  const char* const home = std::getenv("HOME");
+  if (image.starts_with("~/") && home != nullptr) return fs::path(home) / image.substr(2);
+  return yaml.parent_path() / image;
+}
+
 }  // namespace
 
 MapYaml MapYaml::read(const fs::path& file) {
@@ -134,11 +142,11 @@ MapYaml MapYaml::read(const fs::path& file) {
 MapYaml MapYaml::parse(std::string_view text, const fs::path& file) {
   const std::string name = file.string();
   try {
-    const Keys keys(YAML::Load(std::string(text)), name);
+    const Keys keys(YAML::Load(std::string(text_of(text, name))), name);
     MapYaml yaml;
     const YAML::Node& image = keys.required("image");
     if (!image.IsScalar() || image.Scalar().empty()) keys.refuse("image", "the path of a picture");
-    yaml.image = file.parent_path() / image.Scalar();  // an absolute path stands alone
+    yaml.image = picture_path(image.Scalar(), file);
     yaml.image_line = line_of(image.Mark());
     read_place(keys, yaml);
     read_rule(keys, yaml.rule);

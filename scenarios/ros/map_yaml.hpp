@@ -1,8 +1,8 @@
 // The yaml file beside a ROS map's picture.
 //
-// Keys in any order: image (a path, relative to the yaml), resolution, origin [x, y, yaw]; and, where they
-// differ from map_server's usual values, negate (0 or 1), occupied_thresh, free_thresh, mode. Other keys are
-// passed over. http://wiki.ros.org/map_server
+// Keys in any order: image (a path, relative to the yaml; ~/ is the home folder), resolution, origin
+// [x, y, yaw]; and, where they differ from map_server's usual values, negate (0 or 1, false or true),
+// occupied_thresh, free_thresh, mode. Other keys are passed over. http://wiki.ros.org/map_server
 #pragma once
 
 #include <filesystem>

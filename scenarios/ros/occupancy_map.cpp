@@ -25,11 +25,12 @@ Shade shade_of(const GreyImage& image, std::size_t i) {
   return {image.samples[i], image.white};
 }
 
-// Three colours and alpha, in equal parts.
-Shade shade_with_alpha(const GreyImage& image, std::size_t i) {
+// Three colours and alpha, in equal parts, where that is darker than the colours alone.
+Shade darkened_by_alpha(const GreyImage& image, std::size_t i) {
   if (image.alpha.empty()) return shade_of(image, i);
   const std::uint64_t white = image.white;
   const std::uint64_t opaque = image.opaque;
+  if (image.alpha[i] * white >= image.samples[i] * opaque) return shade_of(image, i);
   return {3 * image.samples[i] * opaque + image.alpha[i] * white, 4 * white * opaque};
 }
 
@@ -59,7 +60,7 @@ struct Reading {
 Reading read(const GreyImage& image, std::size_t i, const OccupancyRule& rule) {
   switch (rule.mode) {
     case OccupancyMode::trinary: {
-      const double p = shade_with_alpha(image, i).occupied(rule.negate);
+      const double p = darkened_by_alpha(image, i).occupied(rule.negate);
       return {trinary(p, rule), p};
     }
     case OccupancyMode::scale: {

@@ -2,15 +2,17 @@
 //
 // From the brightness s of a pixel, 0 black to 1 white: how occupied the cell is, p = 1 - s, or s when
 // negated.
-//   trinary  100 above occupied_thresh, 0 below free_thresh, else unknown. Where the picture has alpha, s is
-//            the mean of the three colours and alpha: a transparent pixel counts as darker.
+//   trinary  100 above occupied_thresh, 0 below free_thresh, else unknown. Where alpha is below the colours,
+//            s is the mean of the three colours and alpha: a transparent pixel counts as darker.
 //   scale    unknown where not opaque; 100 and 0 as above, and between the thresholds from 0 to 100 in
 //            proportion, rounded.
 //   raw      255 s, rounded, when that is at most 100, else unknown; negate and alpha count for nothing.
 // A p equal to a threshold lies between the two.
 //
 // map_server of ROS (http://wiki.ros.org/map_server) and nav2_map_server up to Jazzy; where they differ (the
-// rounding in scale, raw) as nav2_map_server does.
+// rounding in scale, raw) as nav2_map_server does. In trinary mode both take the mean with any alpha, so that
+// an opaque 205 of a grey picture, unknown, turns free when the same picture is saved with alpha; here an
+// opaque picture means the same with and without alpha.
 #pragma once
 
 #include <array>

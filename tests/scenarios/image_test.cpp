@@ -70,8 +70,35 @@ TEST(Pnm, ColoursAreSummed) {
   expect_image("P6 1 1 255 \x0a\x14\x1e"s, 1, 1, 765, {60});
 }
 
-TEST(Pnm, WhatFollowsTheRasterIsNotRead) {
-  expect_image("P5 1 1 255 \x07rest"s, 1, 1, 255, {7});
+TEST(Pnm, ALineEndOfTwoBytesBelongsToTheHeader) {
+  expect_image("P5\r\n2 2\r\n255\r\n\xfe\x00\xcd\xfe"s, 2, 2, 255, {254, 0, 205, 254});
+  expect_image("P5 1 1 255\r\n\x0a"s, 1, 1, 255, {10});
+}
+
+TEST(Pnm, ACommentBetweenTheHeaderAndTheSamplesIsPassedOver) {
+  const Samples samples = {254, 0, 205, 254};
+  for (const std::string header :
+       {"P5\n2 2\n255 # max\n", "P5\n2 2\n255# max\n", "P5\n2 2\n255\n# a\n#b\r\n"}) {
+    expect_image(header + "\xfe\x00\xcd\xfe"s, 2, 2, 255, samples);
+  }
+}
+
+TEST(Pnm, LineEndsBehindTheSamplesArePassedOver) {
+  expect_image("P5\n2 1\n255\n\x07\x0a\n\n"s, 2, 1, 255, {7, 10});
+  expect_image("P5\r\n2 1\r\n255\r\n\x07\x0a\r\n"s, 2, 1, 255, {7, 10});
+  expect_image("P2\n2 1\n255\n7 10\n\n# done\n", 2, 1, 255, {7, 10});
+}
+
+TEST(Pnm, InBitsOneIsBlackAndZeroWhite) {
+  expect_image("P1\n# bits\n5 2\n0 1 0\n11 10001\n", 5, 2, 1, {1, 0, 1, 0, 0, 0, 1, 1, 1, 0});
+  // Rows are padded to whole bytes: 01001011 1....... and 11111111 0.......
+  expect_image("P4\n9 2\n\x4b\xff\xff\x00"s, 9, 2, 1, {1, 0, 1, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1});
+}
+
+TEST(Png, ChunksThatAMapDoesNotNeedAreNotUnpacked) {
+  // A text chunk whose compressed data is broken, a profile likewise.
+  const std::string chunks = png_chunk("zTXt", "k\0\0broken"s) + png_chunk("iCCP", "p\0\0broken"s);
+  expect_image(png({2, 1, 8, 0, chunks}, "\x07\x08", 2), 2, 1, 255, {7, 8});
 }
 
 TEST(Png, GreysOfEveryDepth) {

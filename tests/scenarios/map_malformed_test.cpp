@@ -56,11 +56,11 @@ const std::string small_png = png({2, 2, 8, 0, {}}, "\x00\x01\xfe\xff"s, 2);
 
 std::vector<Malformed> malformed_pnm() {
   return {
-      {"a.pgm", "", {"the file is empty", "expected a PGM, PNG or BMP"}},
-      {"b.pgm", "hello world", {"'hello wo'", "expected a PGM, PNG or BMP"}},
+      {"a.pgm", "", {"the file is empty", "expected a PNG, BMP or Netpbm"}},
+      {"b.pgm", "hello world", {"'hello wo'", "expected a PNG, BMP or Netpbm"}},
       {"c.pgm", "\0\1\2\3"s, {"'\\x00\\x01\\x02\\x03'"}},
-      {"d.pgm", "P", {":1: begins with 'P'", "expected P2 or P5"}},
-      {"e.pgm", "P4\n8 1\n\xff", {"'P4\\x0a'", "expected P2 or P5"}},
+      {"d.pgm", "P", {":1: begins with 'P'", "P2 or P5"}},
+      {"e.pgm", "P7\nWIDTH 8\n", {"'P7\\x0a'", "P2 or P5"}},
       {"f.pgm", "P55 1 1 255 x", {"'P55'"}},
       {"g.pgm", "P5\n", {":2: the file ends; expected the width"}},
       {"h.pgm", "P5\n# only a comment", {":2: the file ends"}},
@@ -78,6 +78,19 @@ std::vector<Malformed> malformed_pnm() {
       {"t.pgm", "P2\n2 2\n9\n1 2\nx 4\n", {":5: 'x'", "a sample"}},
       {"u.pgm", "P2\n2 2\n9\n11 2\n3\n", {"'11'"}},
       {"v.pgm", "P2\n4096 4096\n9\n1 2\n3\n", {"expected 33554431"}},
+      {"x.pgm", "P5 1 1 255 \x07rest"s, {"holds 5 bytes of samples; expected 1"}},
+      {"y.pgm",
+       "P5\n2 1\n255\nab"
+       "P5\n2 1\n255\nab",
+       {"holds 15 bytes", "expected 2", "no second picture"}},
+      {"z.pgm", "P5\n2 1\n255\n\nab\n", {"holds 4 bytes of samples; expected 2"}},  // where do they begin?
+      {"z1.pgm", "P5\r\n2 1\r\n255\r\na", {"holds 1 bytes of samples; expected 2"}},
+      {"z2.pgm", "P2\n2 1\n9\n1 2 3\n", {":4: '3\\x0a' behind the last sample"}},
+      {"z3.pbm", "P1\n2 2\n0120", {":3: '2'; expected a pixel, 0 or 1"}},
+      {"z4.pbm", "P1\n2 2\n010", {":3: the file ends; expected a pixel, 0 or 1"}},
+      {"z5.pbm", "P1\n2 1\n0 1 1", {"'1' behind the last sample"}},
+      {"z6.pbm", "P4\n9 2\nabc", {"holds 3 bytes of samples; expected 4"}},
+      {"z7.pbm", "P1\n999999999 999999999\n0", {"999999999x999999999"}},
       {"w.pgm", "P5\n2 1\n9\n\x09\x0a", {"sample 10 at byte 1", "expected at most 9"}},
   };
 }
@@ -98,6 +111,17 @@ std::vector<Malformed> malformed_png() {
       {"h.png", png({3, 3, 8, 0, {}}, "\x00\x01\xfe"s, 3), {"a damaged PNG"}},
       {"i.png", png({1, 1, 8, 3, {}}, "\x00"s, 1), {"a damaged PNG", "PLTE"}},
       {"j.png", png({1, 1, 7, 0, {}}, "\x00"s, 1), {"a damaged PNG"}},
+      {"l.png",
+       png_magic + big_endian(0x7fffffff, 4) + "zTXtabcdefgh"s,
+       {"inside the chunk 'zTXt' of 2147483647 bytes"}},
+      {"m.png",
+       png_magic + png_chunk("IHDR", big_endian(4096, 4) + big_endian(4096, 4) + "\x08\0\0\0\0"s) +
+           png_chunk("IDAT", std::string(100, 'x')) + png_chunk("IEND", ""),
+       {"4096x4096 pixels in 100 compressed bytes; expected at least 16256"}},  // 2^24 / 1032
+      {"n.jpg.png", "\xff\xd8\xff\xe0JFIF", {"is a JPEG", "expected a PNG, BMP or Netpbm"}},
+      {"o.gif.png", "GIF89a", {"is a GIF"}},
+      {"p.tif.png", "II*\0"s, {"is a TIFF"}},
+      {"q.webp.png", "RIFF\1\2\3\4WEBPVP8", {"is a WebP"}},
       {"k.png", png({0, 1, 8, 0, {}}, "", 1), {"a damaged PNG"}},
   };
 }
@@ -150,6 +174,8 @@ std::vector<Malformed> malformed_yaml() {
        image + place + "occupied_thresh: 0.2\nfree_thresh: 0.6\n",
        {":5: free_thresh '0.6'", "at most occupied_thresh", "0.6 > 0.2"}},
       {"u.yaml", image + place + "negate: 2\n", {":4: negate '2'", "0 or 1"}},
+      {"u1.yaml", image + place + "negate: [1]\n", {":4: negate a list of 1", "0 or 1"}},
+      {"u2.yaml", "\xff\xfei\0m\0"s, {":1: UTF-16"}},
       {"v.yaml", image + place + "mode: tertiary\n", {":4: mode 'tertiary'", "trinary, scale or raw"}},
       {"w.yaml", image + place + "resolution: 0.1\n", {":4: 'resolution' again"}},
       {"x.yaml", "\x89PNG\r\n\x1a\n\0\0"s, {"; expected a map of image"}},
@@ -162,13 +188,30 @@ std::vector<Malformed> malformed_text() {
       {"b.txt", "0101\n01\n", {":2: a row of 2 cells", "expected 4"}},
       {"c.txt", "0101\n0121\n", {":2: '2' in column 3", "expected 0 or 1"}},
       {"d.txt", "0101\n\n0101\n", {":2: a blank line"}},
-      {"e.txt", "01 01\n", {":1: column 3", "with and without separators"}},
-      {"f.csv", "0,1,\n", {":1: the row ends at column 5"}},
-      {"g.csv", "0,,1\n", {":1: ',' in column 3"}},
+      {"e.txt", "01 01\n", {":1: '01' in column 1", "with and without separators"}},
+      {"f.csv", "0,1,,\n", {":1: an empty cell in column 5"}},
+      {"g.csv", "0,,1\n", {":1: an empty cell in column 3"}},
       {"h.csv", "0,1\n0;x\n", {":2: 'x' in column 3"}},
       {"i.csv", "\0\1"s, {":1: '\\x00' in column 1"}},
       {"j.txt", std::string(16385, '0'), {":1: a map of 16385x1"}},
       {"k.csv", "x,y\n0,1\n", {":1: 'x' in column 1"}},
+      {"l.csv", "0,1,5\n0,9,0\n", {":1: '5' in column 5", "cells have no weights"}},
+      {"m.csv", "0,0.5\n", {":1: '0.5' in column 3", "cells have no weights"}},
+      {"n.csv", "-1 100\n", {":1: '-1' in column 1", "cells have no weights"}},
+      {"o.csv", "\"0,1\n", {":1: a quote without its end in column 1"}},
+      {"p.csv", "\"0\"1\n", {":1: '1' behind a quote in column 4"}},
+      {"q.csv", "0,\"\"\n", {":1: an empty cell in column 3"}},
+      {"r.csv",
+       "\xff\xfe"
+       "0\0,\0"
+       "1\0"s,
+       {":1: UTF-16 text", "expected UTF-8"}},
+      {"s.txt",
+       "\0"
+       "0\0"
+       "1\0\n"s,
+       {":1: UTF-16 text"}},
+      {"t.csv", "0,1e999\n", {":1: '1e999' in column 3"}},
   };
 }
 
@@ -222,7 +265,8 @@ TEST(MalformedMaps, WhatIsNoFileIsNamed) {
 
 TEST(MalformedMaps, AnUnknownExtensionIsAnsweredWithTheKnownOnes) {
   EXPECT_EQ(message_of<InputError>([] { read_map("plan.jpeg"); }),
-            "plan.jpeg: the extension '.jpeg' is of no map; expected one of .map .yaml .yml .pgm .png .bmp "
+            "plan.jpeg: the extension '.jpeg' is of no map; expected one of .map .yaml .yml .pgm .ppm .pbm "
+            ".png .bmp "
             ".csv .txt");
 }
 

@@ -101,6 +101,9 @@ const std::vector<Malformed>& malformed_maps() {
        map_header("1", "1") + std::string(5000, '.'),
        4,
        {"5033 bytes", "at most 4102", "1x1"}},
+      {"UTF-16", "\xff\xfet\0y\0p\0e\0"s, 1, {"UTF-16", "expected UTF-8"}},
+      {"UTF-16 without a mark", "t\0y\0p\0e\0"s, 1, {"UTF-16", "expected UTF-8"}},
+      {"UTF-16, high bytes first", "\xfe\xff\0t\0y"s, 1, {"UTF-16"}},
       {"a picture", "P5\n2 2\n255\n\x01\x02\x03\x04", 1, {"'P5' in the header"}},
       {"a scen file", "version 1\n0\tx.map\t8\t8\t0\t0\t1\t1\t1.41421\n", 1, {"'version 1' in the header"}},
   };

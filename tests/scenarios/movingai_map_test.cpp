@@ -45,6 +45,18 @@ TEST(MovingAiMap, LinesMayEndInCarriageReturnAndLineFeed) {
   expect_two_rows("type octile\r\nheight 2\r\nwidth 3\r\nmap\r\n.@.\r\n..@\r\n");
 }
 
+TEST(MovingAiMap, AByteOrderMarkIsPassedOver) {
+  expect_two_rows("\xef\xbb\xbf" + header + ".@.\n..@\n");
+}
+
+TEST(MovingAiMap, LinesMayEndInCarriageReturnsAlone) {
+  expect_two_rows("type octile\rheight 2\rwidth 3\rmap\r.@.\r..@\r");
+}
+
+TEST(MovingAiMap, BlanksAtTheEndOfARowDoNotCount) {
+  expect_two_rows(header + ".@.   \n..@\t\r\n");
+}
+
 TEST(MovingAiMap, TheLastLineNeedsNoLineEnd) {
   expect_two_rows(header + ".@.\n..@");
   expect_two_rows(header + ".@.\r\n..@\r");

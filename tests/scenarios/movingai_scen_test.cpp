@@ -43,6 +43,10 @@ TEST(MovingAiScen, TheVersionIsOneOrOnePointZero) {
   EXPECT_EQ(parse("version 1.0\n0 x.map 8 8 0 0 1 1 1.41421").queries.size(), 1U);
 }
 
+TEST(MovingAiScen, AByteOrderMarkIsPassedOver) {
+  EXPECT_EQ(parse("\xef\xbb\xbfversion 1\r\n0 x.map 8 8 0 0 1 1 1.41421\r\n").queries.size(), 1U);
+}
+
 TEST(MovingAiScen, FieldsAreSeparatedByTabsOrBySpaces) {
   for (const std::string line : {"3\tx.map\t8\t9\t1\t2\t3\t4\t12.5", "3 x.map 8 9 1 2 3 4 12.5",
                                  "3   x.map 8\t9 1 2 3 4 \t12.5 ", " 3\t x.map\t8\t9\t1\t2\t3\t4\t12.5"}) {

@@ -73,6 +73,33 @@ TEST(OccupancyMap, ScaleIsProportionalBetweenTheThresholds) {
   EXPECT_EQ(occupancies(row_of({10, 8, 7, 5, 3, 2}, 10), rule), (std::vector<int>{0, 0, 10, 50, 90, 100}));
 }
 
+TEST(OccupancyMap, AnOpaquePictureWithAlphaIsTheSameMapAsWithout) {
+  std::vector<std::uint32_t> samples;
+  for (std::uint32_t sample = 0; sample < 256; ++sample) samples.push_back(sample);
+  const GreyImage grey = row_of(samples, 255);
+  GreyImage opaque = grey;
+  opaque.opaque = 255;
+  opaque.alpha.assign(256, 255);
+  OccupancyRule rule;
+  for (const OccupancyMode mode : {OccupancyMode::trinary, OccupancyMode::scale, OccupancyMode::raw}) {
+    for (const double occupied : {0.65, 0.9}) {  // at 0.9 the mean of black and opaque, 0.75, is below
+      rule.mode = mode;
+      rule.occupied_thresh = occupied;
+      EXPECT_EQ(occupancies(opaque, rule), occupancies(grey, rule));
+    }
+  }
+}
+
+TEST(OccupancyMap, AlphaNeverBrightens) {
+  // s = 205 / 255: unknown while alpha is at least as bright, darker below: (3 * 205 + 0) / 4 / 255 = 0.603.
+  GreyImage image = row_of({205, 205, 205, 205}, 255);
+  image.opaque = 255;
+  image.alpha = {255, 254, 205, 0};
+  EXPECT_EQ(occupancies(image, {}), (std::vector<int>{-1, -1, -1, -1}));
+  image.samples = {100, 100, 100, 100};  // p = 0.608; with alpha 0: 1 - 300 / 1020 = 0.706
+  EXPECT_EQ(occupancies(image, {}), (std::vector<int>{-1, -1, -1, 100}));
+}
+
 TEST(OccupancyMap, AlphaDarkensInTrinaryAndHidesInScale) {
   GreyImage image = row_of({255, 255, 255, 0}, 255);
   image.opaque = 255;
@@ -163,6 +190,30 @@ TEST(MapYaml, ReadsTheFormsOfTheWild) {
   EXPECT_TRUE(yaml.rule.negate);
   EXPECT_EQ(yaml.rule.occupied_thresh, 0.5);
   EXPECT_EQ(yaml.rule.free_thresh, 0);
+}
+
+TEST(MapYaml, NegateIsANumberOrATruthValue) {
+  const auto negate = [](const std::string& value) {
+    return MapYaml::parse("image: x\nresolution: 1\norigin: [0, 0, 0]\nnegate: " + value, "x.yaml")
+        .rule.negate;
+  };
+  for (const char* yes : {"1", "true", "True", "TRUE", "yes"}) EXPECT_TRUE(negate(yes)) << yes;
+  for (const char* no : {"0", "false", "False", "FALSE", "no"}) EXPECT_FALSE(negate(no)) << no;
+}
+
+TEST(MapYaml, ATildeIsTheHomeFolder) {
+  const char* const home = std::getenv("HOME");
+  if (home == nullptr) GTEST_SKIP() << "no home folder";
+  const auto image = [](const std::string& path) {
+    return MapYaml::parse("image: " + path + "\nresolution: 1\norigin: [0, 0, 0]\n", "a/x.yaml").image;
+  };
+  EXPECT_EQ(image("~/maps/x.pgm"), std::filesystem::path(home) / "maps/x.pgm");
+  EXPECT_EQ(image("~x.pgm"), "a/~x.pgm");
+}
+
+TEST(MapYaml, AByteOrderMarkIsPassedOver) {
+  EXPECT_EQ(MapYaml::parse("\xef\xbb\xbfimage: x\nresolution: 2\norigin: [0, 0, 0]\n", "x.yaml").resolution,
+            2);
 }
 
 TEST(MapYaml, WhatIsMissingIsAsMapServerWritesIt) {

@@ -22,6 +22,20 @@ TEST(TextGrid, EverySeparatorAndLineEndGivesTheSameGrid) {
   }
 }
 
+TEST(TextGrid, WhatSpreadsheetsAndNumpyWriteIsRead) {
+  const OccupancyGrid expected = testing::grid_of({"010", "100"});
+  for (const std::string text :
+       {"\"0\",\"1\",\"0\"\n\"1\",\"0\",\"0\"\n", "0,1,0,\n1,0,0,\n", "0, 1, 0, \n1, 0, 0\n",
+        "0.0 1.0 0.0\n1.0 0.0 0.0\n",
+        "0.000000000000000000e+00,1.000000000000000000e+00,0.000000000000000000e+00\r\n"
+        "1.000000000000000000e+00,0.000000000000000000e+00,-0.0\r\n",
+        "0,1,0\r1,0,0\r"}) {
+    EXPECT_EQ(parse_text_grid(text, "x"), expected) << text;
+  }
+  EXPECT_EQ(parse_text_grid("0.0e+00\n1.0e+00\n", "x"), testing::grid_of({"0", "1"}));
+  EXPECT_EQ(parse_text_grid("10\n01\n", "x"), testing::grid_of({"10", "01"}));
+}
+
 TEST(TextGrid, OneCellIsAGrid) {
   EXPECT_EQ(parse_text_grid("0", "x"), OccupancyGrid(1, 1));
 }
