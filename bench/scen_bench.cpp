@@ -15,6 +15,7 @@
 #include "core/record.hpp"
 #include "core/referee.hpp"
 #include "results/median.hpp"
+#include "scenarios/library.hpp"
 #include "scenarios/movingai/folder.hpp"
 #include "scenarios/recorded.hpp"
 
@@ -97,30 +98,72 @@ class ScenBench {
 
   void judge(const scenarios::ScenQuery& query, Scenario& scenario, const Bound& bound,
              const Answer& answer) {
-    const auto mismatch = [&](const std::string& why) {
-      ++report_.mismatched;
-      report_.remarks.push_back(fmt::format("mismatch: {}: {}", scenario.id, why));
-    };
-    if (!answer) return mismatch(fmt::format("no path; the optimum is {}", query.optimum_text));
+    const bool unknown = query.optimum == 0 && query.start != query.goal;
+    if (!answer) return judge_no_answer(query, scenario, unknown);
     const Judgement judgement = bound.referee.judge(*answer, scenario.start, scenario.goal);
-    if (!judgement.legal()) return mismatch("illegal path: " + judgement.fault);
-    const double length = judgement.metrics->length;
-    const bool any_angle = answer->track == Track::any_angle;
-    if (any_angle) {
-      prove_reference(scenario, Track::any_angle, bound.referee);
-      const std::string fault = contradiction(*judgement.metrics, scenario, Track::any_angle);
-      if (!fault.empty()) return mismatch(fault);
+    if (!judgement.legal()) return mismatch(scenario, "illegal path: " + judgement.fault);
+    if (unknown || answer->track == Track::any_angle) {
+      judge_by_proof(query, scenario, bound, *judgement.metrics, answer->track);
+    } else {
+      judge_by_file(query, scenario, judgement.metrics->length);
     }
-    if (scenarios::optimum_matches(query, length) || (any_angle && length < query.optimum)) {
+  }
+
+  // Right where no way exists, and the file does not say that one does.
+  void judge_no_answer(const scenarios::ScenQuery& query, Scenario& scenario, bool unknown) {
+    scenarios::prove(scenario);
+    if (unknown) ++report_.proven_here;
+    if (scenario.optimum.length) {
+      mismatch(scenario, fmt::format("no path; the optimum is {}",
+                                     unknown ? fmt::format("{}", scenario.optimum.length->value())
+                                             : query.optimum_text));
+    } else if (unknown) {
+      ++report_.matched;
+    } else {
+      bad(scenario, fmt::format("no way exists, and the optimum is said to be {}", query.optimum_text));
+    }
+  }
+
+  void judge_by_proof(const scenarios::ScenQuery& query, Scenario& scenario, const Bound& bound,
+                      const PathMetrics& metrics, Track track) {
+    prove_reference(scenario, track, bound.referee);
+    const double proven = reference_length(scenario, track).value_or(0);
+    if (query.optimum > 0 && query.optimum < proven && !scenarios::optimum_matches(query, proven)) {
+      return bad(scenario, fmt::format("the optimum {} is shorter than the proven any-angle one, {}",
+                                       query.optimum_text, proven));
+    }
+    ++report_.proven_here;
+    const std::string fault = contradiction(metrics, scenario, track);
+    if (!fault.empty()) return mismatch(scenario, fault);
+    if (gap(metrics, scenario, track) == 0) {
+      ++report_.matched;
+      return;
+    }
+    const bool beyond_file = query.optimum > 0 && metrics.length > query.optimum &&
+                             !scenarios::optimum_matches(query, metrics.length);
+    mismatch(scenario, fmt::format("length {}, the proven optimum is {}{}", metrics.length, proven,
+                                   beyond_file ? ", the recorded one " + query.optimum_text : ""));
+  }
+
+  void judge_by_file(const scenarios::ScenQuery& query, const Scenario& scenario, double length) {
+    if (scenarios::optimum_matches(query, length)) {
       ++report_.matched;
     } else if (length < query.optimum) {
-      ++report_.bad_queries;
-      report_.remarks.push_back(
-          fmt::format("bad query: {}: a legal path of {} is shorter than the optimum {}", scenario.id, length,
-                      query.optimum_text));
+      bad(scenario,
+          fmt::format("a legal path of {} is shorter than the optimum {}", length, query.optimum_text));
     } else {
-      mismatch(fmt::format("length {}, the optimum is {}", length, query.optimum_text));
+      mismatch(scenario, fmt::format("length {}, the optimum is {}", length, query.optimum_text));
     }
+  }
+
+  void mismatch(const Scenario& scenario, const std::string& why) {
+    ++report_.mismatched;
+    report_.remarks.push_back(fmt::format("mismatch: {}: {}", scenario.id, why));
+  }
+
+  void bad(const Scenario& scenario, const std::string& why) {
+    ++report_.bad_queries;
+    report_.remarks.push_back(fmt::format("bad query: {}: {}", scenario.id, why));
   }
 
   const scenarios::MapFile& map_;

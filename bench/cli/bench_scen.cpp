@@ -9,6 +9,7 @@
 #include "bench/roster.hpp"
 #include "bench/scen_bench.hpp"
 #include "core/error.hpp"
+#include "core/plain_text.hpp"
 
 namespace pathrace::bench::cli {
 namespace {
@@ -23,9 +24,15 @@ struct BenchScenCommand {
 };
 
 void print_report(const BenchScenCommand& command, const Entrant& entrant, const ScenReport& report) {
-  fmt::print("map          {}\nplanner      {}\n", command.map, entrant.label);
+  fmt::print("map          {}\nplanner      {}\n", escape_controls(command.map), entrant.label);
   fmt::print("queries      {}: {} matched, {} mismatched, {} bad\n", report.queries, report.matched,
              report.mismatched, report.bad_queries);
+  if (report.proven_here > 0) {
+    fmt::print("proven here  {}: {}\n", report.proven_here,
+               entrant.card->track == Track::any_angle
+                   ? "compared with the any-angle optimum, since the file's is 8-connected"
+                   : "the file prints 0 between different cells, which stands for unknown");
+  }
   fmt::print("time         {:.1f} us per query (median {:.1f}), set-up {:.1f} us\n", report.us_per_query_mean,
              report.us_per_query_median, report.setup_us);
   fmt::print("expansions   {}, {:.2f} million per second\n", report.expansions,
@@ -40,6 +47,7 @@ nlohmann::ordered_json json(const BenchScenCommand& command, const Entrant& entr
           {"matched", report.matched},
           {"mismatched", report.mismatched},
           {"bad_queries", report.bad_queries},
+          {"proven_here", report.proven_here},
           {"setup_us", report.setup_us},
           {"us_per_query_mean", report.us_per_query_mean},
           {"us_per_query_median", report.us_per_query_median},
@@ -57,13 +65,15 @@ int bench_scen_command(const BenchScenCommand& command) {
   const scenarios::ScenFile scen = scenarios::ScenFile::read(command.scen);
   scenarios::require_same_map(scen, command.map);
   const ScenReport report = bench_scen(map, scen, entrant, command.limit, command.repeat);
-  for (const std::string& remark : report.remarks) fmt::print(stderr, "{}\n", remark);
+  for (const std::string& remark : report.remarks) fmt::print(stderr, "{}\n", escape_controls(remark));
   if (command.json) {
     fmt::print("{}\n", json(command, entrant, report).dump(2));
   } else {
     print_report(command, entrant, report);
   }
-  return report.mismatched > 0 ? something_found : done;
+  const bool nothing = report.matched + report.mismatched == 0;
+  if (nothing) fmt::print(stderr, "nothing was measured: all {} queries are bad\n", report.queries);
+  return nothing || report.mismatched > 0 ? something_found : done;
 }
 
 }  // namespace
