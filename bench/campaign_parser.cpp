@@ -3,13 +3,15 @@
 #include <toml++/toml.h>
 
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include "bench/campaign.hpp"
+#include "bench/toml_limits.hpp"
 #include "core/error.hpp"
 #include "core/names.hpp"
 #include "core/parameters.hpp"
+#include "core/plain_text.hpp"
+#include "scenarios/file_bytes.hpp"
+#include "scenarios/text.hpp"
 
 namespace pathrace::bench {
 namespace {
@@ -19,6 +21,7 @@ using pathrace::scenarios::UnknownPolicy;
 
 constexpr std::uint64_t most_repetitions = 1'000'000;
 constexpr std::int64_t most_queries = 1'000'000;
+constexpr std::uintmax_t longest_campaign = std::uintmax_t{16} << 20;
 
 class Parser {
  public:
@@ -29,7 +32,7 @@ class Parser {
     Campaign campaign;
     const toml::table& head = table_at(root, "campaign", root);
     require_keys(head, {"name", "seed", "repetitions", "maps", "queries_per_map", "max_side"});
-    campaign.name = text(need(head, "name"));
+    campaign.name = name(need(head, "name"));
     if (campaign.name.empty() || campaign.name.find('/') != std::string::npos) {
       fail(need(head, "name"),
            "campaign.name must be a word that can name a folder, got '" + campaign.name + "'");
@@ -101,6 +104,13 @@ class Parser {
     fail(node, "expected a text in quotes");
   }
 
+  // What tables, files and terminals will show.
+  std::string name(const toml::node& node) const {
+    std::string value = text(node);
+    if (is_plain_text(value)) return value;
+    fail(node, fmt::format("'{}'; expected a name without control characters", escape_controls(value)));
+  }
+
   std::uint64_t count(const toml::node& node, std::string_view what, std::int64_t low,
                       std::int64_t high) const {
     const auto value = node.value_exact<std::int64_t>();
@@ -146,7 +156,7 @@ class Parser {
     require_keys(table, {"name", "label", "params"});
     PlannerChoice choice;
     choice.name = text(need(table, "name"));
-    if (const toml::node* label = table.get("label")) choice.label = text(*label);
+    if (const toml::node* label = table.get("label")) choice.label = name(*label);
     const toml::node* params = table.get("params");
     if (params == nullptr) return choice;
     if (!params->is_table()) fail(*params, "'params' must be a table, { name = value }");
@@ -253,6 +263,8 @@ class Parser {
 
 Campaign parse_campaign(std::string_view text, const std::string& file) {
   const Parser parser(file);
+  text = scenarios::text_of(text, file);
+  require_shallow_toml(text, file);
   toml::table root;
   try {
     root = toml::parse(text, file);
@@ -263,15 +275,7 @@ Campaign parse_campaign(std::string_view text, const std::string& file) {
 }
 
 Campaign read_campaign(const std::filesystem::path& file) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) {
-    throw InputError(fmt::format("{}: is a folder; expected a campaign file", file.string()));
-  }
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  if (in) text << in.rdbuf();
-  if (!in) throw InputError(fmt::format("{}: cannot be read; expected a campaign file", file.string()));
-  Campaign campaign = parse_campaign(text.str(), file.string());
+  Campaign campaign = parse_campaign(scenarios::whole_file(file, longest_campaign), file.string());
   const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
   const auto settle = [&](std::filesystem::path& path) { path = (folder / path).lexically_normal(); };
   if (campaign.maps) settle(*campaign.maps);

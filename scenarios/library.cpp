@@ -1,7 +1,6 @@
 #include "scenarios/library.hpp"
 
 #include <fmt/format.h>
-#include <fnmatch.h>
 
 #include <algorithm>
 #include <charconv>
@@ -13,6 +12,7 @@
 #include "core/names.hpp"
 #include "core/reference/exact_search.hpp"
 #include "scenarios/family.hpp"
+#include "scenarios/glob.hpp"
 #include "scenarios/recorded.hpp"
 #include "scenarios/ros/ros_queries.hpp"
 #include "scenarios/sets.hpp"
@@ -24,6 +24,9 @@ namespace {
 
 constexpr std::string_view recorded_family = "movingai";
 constexpr std::string_view ros_family = "ros";
+constexpr std::size_t longest_pattern = 1000;  // bytes
+constexpr std::int64_t most_ids = 1'000'000;   // that the ranges of one pattern stand for
+constexpr std::size_t most_globs = 10'000;     // the same beside * ? [, each of which searches the list
 
 std::string unknown_family(std::string_view name, std::string_view id) {
   std::vector<std::string> known{std::string(recorded_family), std::string(ros_family)};
@@ -45,26 +48,23 @@ std::vector<std::string> expand_range(const std::string& pattern) {
   const bool readable =
       std::from_chars(pattern.data() + begin, pattern.data() + dots, first).ec == std::errc{} &&
       std::from_chars(pattern.data() + dots + 2, pattern.data() + end, last).ec == std::errc{};
-  if (!readable || last < first || last - first >= 1'000'000) {
+  const std::vector<std::string> rests = expand_range(pattern.substr(end));
+  const std::int64_t seeds = std::int64_t{last} - first + 1;
+  if (!readable || seeds < 1 || seeds * static_cast<std::int64_t>(rests.size()) > most_ids) {
     throw InputError(fmt::format(
         "scenario pattern '{}': expected a range FIRST..LAST of at most a million seeds, such as 1..30",
         pattern));
   }
   std::vector<std::string> ids;
-  for (int seed = first; seed <= last; ++seed) {
-    for (const std::string& rest : expand_range(pattern.substr(end))) {
+  for (int seed = first;; ++seed) {
+    for (const std::string& rest : rests)
       ids.push_back(fmt::format("{}{}{}", pattern.substr(0, begin), seed, rest));
-    }
+    if (seed == last) return ids;
   }
-  return ids;
 }
 
 bool is_number(std::string_view text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
-}
-
-bool matches_glob(const std::string& glob, const std::string& text) {
-  return fnmatch(glob.c_str(), text.c_str(), FNM_PATHNAME) == 0;
 }
 
 // "dense/20-20/7" -> "dense/20-20" and "7".
@@ -81,10 +81,23 @@ std::vector<std::string> with_seed(const std::vector<std::string>& listed, const
   std::vector<std::string> ids;
   for (const std::string& id : listed) {
     const auto [size, listed_seed] = split_seed(id);
-    if (!is_number(listed_seed) || !matches_glob(glob, size)) continue;
+    if (!is_number(listed_seed) || !glob_matches(glob, size)) continue;
     std::string seeded = fmt::format("{}/{}", size, seed);
     if (ids.empty() || ids.back() != seeded) ids.push_back(std::move(seeded));
   }
+  return ids;
+}
+
+// The ids that a pattern with * ? [ stands for; of generated families also those with a seed that is not
+// listed.
+std::vector<std::string> matching(const std::string& glob, const std::vector<std::string>& listed) {
+  const bool is_generated = !glob.starts_with(recorded_family) && !glob.starts_with(ros_family);
+  if (const auto [size, seed] = split_seed(glob); is_generated && is_number(seed)) {
+    return with_seed(listed, size, seed);
+  }
+  std::vector<std::string> ids;
+  std::copy_if(listed.begin(), listed.end(), std::back_inserter(ids),
+               [&](const std::string& id) { return glob_matches(glob, id); });
   return ids;
 }
 
@@ -156,29 +169,24 @@ std::vector<std::string> Library::select(const std::string& pattern) const {
   if (pattern.starts_with(set_prefix)) {
     return ids_of(find_set(std::string_view(pattern).substr(set_prefix.size())), *this);
   }
+  if (pattern.size() > longest_pattern) {
+    throw InputError(fmt::format("scenario pattern '{}' has {} bytes; expected at most {}",
+                                 printable(pattern), pattern.size(), longest_pattern));
+  }
+  std::vector<std::string> items = expand_range(pattern);
+  if (pattern.find_first_of("*?[") == std::string::npos) return items;
+  if (items.size() > most_globs) {
+    throw InputError(fmt::format("scenario pattern '{}' stands for {} patterns; expected at most {}", pattern,
+                                 items.size(), most_globs));
+  }
+  const std::vector<std::string> listed = listed_for(pattern);
   std::vector<std::string> ids;
-  for (const std::string& item : expand_range(pattern)) {
-    if (item.find_first_of("*?[") == std::string::npos) {
-      ids.push_back(item);
-      continue;
-    }
-    const std::vector<std::string> matching = matches(item);
-    if (matching.empty())
+  for (const std::string& item : items) {
+    const std::vector<std::string> found = matching(item, listed);
+    if (found.empty())
       throw InputError(fmt::format("scenario pattern '{}' matches nothing in the library", item));
-    ids.insert(ids.end(), matching.begin(), matching.end());
+    ids.insert(ids.end(), found.begin(), found.end());
   }
-  return ids;
-}
-
-std::vector<std::string> Library::matches(const std::string& glob) const {
-  const std::vector<std::string> listed = listed_for(glob);
-  const bool is_generated = !glob.starts_with(recorded_family) && !glob.starts_with(ros_family);
-  if (const auto [size, seed] = split_seed(glob); is_generated && is_number(seed)) {
-    return with_seed(listed, size, seed);
-  }
-  std::vector<std::string> ids;
-  std::copy_if(listed.begin(), listed.end(), std::back_inserter(ids),
-               [&](const std::string& id) { return matches_glob(glob, id); });
   return ids;
 }
 

@@ -55,7 +55,6 @@ class Library {
   RosQueries& ros(const std::string& id) const;
   Scenario load_plain(const std::string& id) const;  // without a rule
   std::vector<std::string> listed_for(const std::string& pattern) const;
-  std::vector<std::string> matches(const std::string& glob) const;
 
   std::optional<std::filesystem::path> maps_;
   mutable std::unique_ptr<Recorded> recorded_;

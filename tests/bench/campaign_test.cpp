@@ -57,6 +57,14 @@ TEST(Campaign, ReadsEveryKey) {
   EXPECT_EQ(campaign.scenarios[1].budget->checks, 1000U);
 }
 
+TEST(Campaign, DotsAndBracketsInStringsAndCommentsAreNoDepth) {
+  std::string text =
+      "\xef\xbb\xbf# ............................ [[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[\r\n"
+      "[campaign]\r\nname = \"a.b.c.d.e.f.g.h.i.j.k.l.m.n.o.p.q.r.s \\\" [[[[\"\r\n"
+      "[[planner]]\r\nname = 'astar'\r\n[[scenarios]]\r\nselect = [\"\"\"asr/fig2\"\"\"]\r\n";
+  EXPECT_EQ(parse_campaign(text, "x.toml").scenarios.at(0).select.at(0), "asr/fig2");
+}
+
 TEST(Campaign, SurvivesBeingPrintedAndReadAgain) {
   const scenarios::Library library;
   for (Campaign campaign :
@@ -183,10 +191,27 @@ const std::string twins =
     head + "[[planner]]\nname = \"as\"\n[[planner]]\nname = \"as\"\n[[scenarios]]\nselect = [\"asr/fig2\"]\n";
 const std::string slash = "[campaign]\nname = \"a/b\"\n" + std::string(tail);
 
+const std::string bell = "[campaign]\nname = \"a\\u0007\"\n" + std::string(tail);
+const std::string red =
+    head + "[[planner]]\nname = \"as\"\nlabel = \"\\u001b[31mRED\"\n[[scenarios]]\nselect = [\"asr/fig2\"]\n";
+const std::string dotted = [] {
+  std::string key = "x";
+  for (int i = 0; i < 50'000; ++i) key += ".x";
+  return head + key + " = 1\n";
+}();
+const std::string nested = head + "x = " + std::string(50'000, '[') + "\n";
+// Strings hide brackets and dots, and the end of one that ends in four quotes hides nothing.
+const std::string hidden = "a = { b = \"\"\"]\"\"\"\", c" + dotted.substr(head.size());
+
 INSTANTIATE_TEST_SUITE_P(
     All, CampaignFault,
     ::testing::Values(Fault{"syntax", "[campaign\nname = 1\n", {"x.toml:1:", "x.toml:1:10"}},
                       Fault{"empty", "", {"x.toml:", "[campaign]"}},
+                      Fault{"control_in_name", bell.c_str(), {"x.toml:2:", "a\\x07", "control characters"}},
+                      Fault{"control_in_label", red.c_str(), {"x.toml:5:", "\\x1b[31mRED"}},
+                      Fault{"dotted_keys", dotted.c_str(), {"x.toml:3:", "more than 16 parts"}},
+                      Fault{"nested_brackets", nested.c_str(), {"x.toml:3:", "more than 32 deep"}},
+                      Fault{"dotted_behind_a_string", hidden.c_str(), {"x.toml:1:", "more than 16 parts"}},
                       Fault{"unknown_key", bad_key.c_str(), {"x.toml:3:", "budgett", "'budget'"}},
                       Fault{"zero_budget", bad_budget.c_str(), {"x.toml:4:", "evaluations", "got 0"}},
                       Fault{"negative_wall", bad_wall.c_str(), {"x.toml:4:", "wall_s"}},

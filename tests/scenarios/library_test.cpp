@@ -100,6 +100,22 @@ TEST(Library, RangesThatAreNoneAreRefused) {
   }
 }
 
+TEST(Library, PatternsThatStandForTooMuchAreRefusedBeforeTheyAreSpelt) {
+  const Library library;
+  EXPECT_NE(error_of([&] { library.select("dense/1..1000000/1..1000000"); }).find("at most a million"),
+            std::string::npos);
+  EXPECT_NE(error_of([&] { library.select("dense/*/1..2000000000"); }).find("at most a million"),
+            std::string::npos);
+  EXPECT_NE(
+      error_of([&] { library.select("dense/*/1..100000"); }).find("100000 patterns; expected at most 10000"),
+      std::string::npos);
+  std::string ranges;
+  for (int i = 0; i < 100'000; ++i) ranges += "1..1/";
+  EXPECT_NE(error_of([&] { library.select(ranges); }).find("500000 bytes; expected at most 1000"),
+            std::string::npos);
+  EXPECT_EQ(library.select("dense/1..1000/1..1000").size(), 1'000'000U);
+}
+
 TEST(Library, AnUnknownFamilyIsNamedWithItsNearestMatch) {
   const Library library;
   EXPECT_NE(error_of([&] { library.load("dence/20-20/1"); }).find("'dense'"), std::string::npos);
