@@ -17,6 +17,9 @@
 namespace pathrace::bench {
 namespace {
 
+constexpr std::uint64_t most_trials = 10'000'000;  // of one campaign; as rows they take gigabytes
+constexpr std::size_t most_combinations = 10'000;  // of one planner's listed values
+
 // One planner per combination of listed values, in the order of the lists.
 std::vector<Entrant> entrants_of(const PlannerChoice& choice, const Catalogue& catalogue) {
   std::vector<PlannerCall> calls{parse_call(choice.name)};  // `replan(astar)` is a name, too
@@ -24,6 +27,10 @@ std::vector<Entrant> entrants_of(const PlannerChoice& choice, const Catalogue& c
   for (const auto& [parameter, values] : choice.values) {
     std::vector<PlannerCall> longer_calls;
     std::vector<std::string> longer_suffixes;
+    if (calls.size() * values.size() > most_combinations) {
+      throw InputError(fmt::format("planner '{}': its lists of values have more than {} combinations",
+                                   choice.name, most_combinations));
+    }
     for (std::size_t i = 0; i < calls.size(); ++i) {
       for (const std::string& value : values) {
         longer_calls.push_back(calls[i]);
@@ -61,6 +68,7 @@ class Planning {
         plan_.calls.push_back(entrant.full_call());
         plan_.entrants.push_back(std::move(entrant));
       }
+      require_few_trials(1);
     }
     if (plan_.campaign.scenarios.empty()) {
       throw InputError(
@@ -86,15 +94,30 @@ class Planning {
     const ScenarioChoice* choice;
   };
 
+  // Counted before a scenario is made or a trial listed.
+  void require_few_trials(std::uint64_t scenarios) const {
+    const std::uint64_t trials = scenarios * plan_.entrants.size() * plan_.campaign.repetitions;
+    if (trials <= most_trials) return;
+    throw InputError(
+        fmt::format("campaign '{}' asks for {} trials ({} scenarios, {} planners, {} repetitions); expected "
+                    "at most {}: split it",
+                    plan_.campaign.name, trials, scenarios, plan_.entrants.size(), plan_.campaign.repetitions,
+                    most_trials));
+  }
+
   void select_scenarios() {
     const std::vector<std::string> map_names = names_of_maps(plan_.campaign);
     for (std::size_t i = 0; i < plan_.campaign.scenarios.size(); ++i) {
       const ScenarioChoice& choice = plan_.campaign.scenarios[i];
       for (const std::string& pattern : choice.select) {
-        for (const std::string& id : library_.select(pattern)) select_id(id, choice);
+        const std::vector<std::string> ids = library_.select(pattern);
+        require_few_trials(selected_.size() + ids.size());
+        for (const std::string& id : ids) select_id(id, choice);
       }
       if (!choice.map) continue;
-      const MapScenarios found = scenarios_on_map(*choice.map, map_names[i], choice.rule);
+      const MapChoice& map = *choice.map;
+      require_few_trials(selected_.size() + map.queries + map.pairs.size() + map.pairs_m.size());
+      const MapScenarios found = scenarios_on_map(map, map_names[i], choice.rule);
       for (const Scenario& scenario : found.scenarios) select_own(scenario, choice);
       left_out_.insert(left_out_.end(), found.left_out.begin(), found.left_out.end());
     }

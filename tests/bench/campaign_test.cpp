@@ -1,6 +1,7 @@
 // Campaign files: what they mean, and where they are wrong.
 #include "bench/campaign.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "baselines/ompl_names.hpp"
@@ -191,6 +192,22 @@ const std::string twins =
     head + "[[planner]]\nname = \"as\"\n[[planner]]\nname = \"as\"\n[[scenarios]]\nselect = [\"asr/fig2\"]\n";
 const std::string slash = "[campaign]\nname = \"a/b\"\n" + std::string(tail);
 
+const std::string crowd =
+    "[campaign]\nname = \"b\"\nrepetitions = 1000000\n[[planner]]\nname = \"astar\"\n"
+    "[[scenarios]]\nselect = [\"dense/20-20/1..1000\"]\n";
+// Of which neither the scenarios nor the map are looked for.
+const std::string planners =
+    "[campaign]\nname = \"b\"\nrepetitions = 1000000\n[[planner]]\nname = \"as\"\n"
+    "params = { ants = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11] }\n[[scenarios]]\nselect = [\"nothing-*/1\"]\n";
+const std::string questions =
+    "[campaign]\nname = \"b\"\nrepetitions = 11\n[[planner]]\nname = \"astar\"\n"
+    "[[scenarios]]\nmap = \"none.map\"\nqueries = 1000000\n";
+const std::string combinations = [] {
+  std::string list = "[1";
+  for (int i = 2; i <= 101; ++i) list += fmt::format(", {}", i);
+  return head + "[[planner]]\nname = \"as\"\nparams = { alpha = " + list + "], beta = " + list + "] }\n" +
+         "[[scenarios]]\nselect = [\"asr/fig2\"]\n";
+}();
 const std::string bell = "[campaign]\nname = \"a\\u0007\"\n" + std::string(tail);
 const std::string red =
     head + "[[planner]]\nname = \"as\"\nlabel = \"\\u001b[31mRED\"\n[[scenarios]]\nselect = [\"asr/fig2\"]\n";
@@ -205,28 +222,33 @@ const std::string hidden = "a = { b = \"\"\"]\"\"\"\", c" + dotted.substr(head.s
 
 INSTANTIATE_TEST_SUITE_P(
     All, CampaignFault,
-    ::testing::Values(Fault{"syntax", "[campaign\nname = 1\n", {"x.toml:1:", "x.toml:1:10"}},
-                      Fault{"empty", "", {"x.toml:", "[campaign]"}},
-                      Fault{"control_in_name", bell.c_str(), {"x.toml:2:", "a\\x07", "control characters"}},
-                      Fault{"control_in_label", red.c_str(), {"x.toml:5:", "\\x1b[31mRED"}},
-                      Fault{"dotted_keys", dotted.c_str(), {"x.toml:3:", "more than 16 parts"}},
-                      Fault{"nested_brackets", nested.c_str(), {"x.toml:3:", "more than 32 deep"}},
-                      Fault{"dotted_behind_a_string", hidden.c_str(), {"x.toml:1:", "more than 16 parts"}},
-                      Fault{"unknown_key", bad_key.c_str(), {"x.toml:3:", "budgett", "'budget'"}},
-                      Fault{"zero_budget", bad_budget.c_str(), {"x.toml:4:", "evaluations", "got 0"}},
-                      Fault{"negative_wall", bad_wall.c_str(), {"x.toml:4:", "wall_s"}},
-                      Fault{"empty_budget", empty_budget.c_str(), {"x.toml:3:", "budget"}},
-                      Fault{"negative_seed", bad_seed.c_str(), {"x.toml:3:", "seed", "-4"}},
-                      Fault{"text_for_number", bad_type.c_str(), {"x.toml:3:", "seed", "integer"}},
-                      Fault{"no_planner", no_planner.c_str(), {"x.toml:", "[[planner]]"}},
-                      Fault{"unknown_planner", bad_planner.c_str(), {"astra", "'astar'"}},
-                      Fault{"unknown_parameter", bad_param.c_str(), {"antz", "'ants'"}},
-                      Fault{"value_out_of_range", bad_value.c_str(), {"ants", "1..100000", "'0'"}},
-                      Fault{"unknown_choice", bad_choice.c_str(), {"dye", "'die'"}},
-                      Fault{"select_is_no_list", bad_select.c_str(), {"x.toml:6:", "select"}},
-                      Fault{"glob_without_match", bad_glob.c_str(), {"nothing-*/1"}},
-                      Fault{"two_of_a_name", twins.c_str(), {"two planners", "'as'"}},
-                      Fault{"name_with_a_slash", slash.c_str(), {"x.toml:2:", "a/b"}}),
+    ::testing::Values(
+        Fault{"syntax", "[campaign\nname = 1\n", {"x.toml:1:", "x.toml:1:10"}},
+        Fault{"empty", "", {"x.toml:", "[campaign]"}},
+        Fault{"a_thousand_million_trials", crowd.c_str(), {"asks for 1000000000 trials", "10000000"}},
+        Fault{"planners_of_too_many_trials", planners.c_str(), {"asks for 11000000 trials", "11 planners"}},
+        Fault{"too_many_questions_on_a_map", questions.c_str(), {"11000000 trials", "1000000 scenarios"}},
+        Fault{"too_many_combinations", combinations.c_str(), {"planner 'as'", "10000 combinations"}},
+        Fault{"control_in_name", bell.c_str(), {"x.toml:2:", "a\\x07", "control characters"}},
+        Fault{"control_in_label", red.c_str(), {"x.toml:5:", "\\x1b[31mRED"}},
+        Fault{"dotted_keys", dotted.c_str(), {"x.toml:3:", "more than 16 parts"}},
+        Fault{"nested_brackets", nested.c_str(), {"x.toml:3:", "more than 32 deep"}},
+        Fault{"dotted_behind_a_string", hidden.c_str(), {"x.toml:1:", "more than 16 parts"}},
+        Fault{"unknown_key", bad_key.c_str(), {"x.toml:3:", "budgett", "'budget'"}},
+        Fault{"zero_budget", bad_budget.c_str(), {"x.toml:4:", "evaluations", "got 0"}},
+        Fault{"negative_wall", bad_wall.c_str(), {"x.toml:4:", "wall_s"}},
+        Fault{"empty_budget", empty_budget.c_str(), {"x.toml:3:", "budget"}},
+        Fault{"negative_seed", bad_seed.c_str(), {"x.toml:3:", "seed", "-4"}},
+        Fault{"text_for_number", bad_type.c_str(), {"x.toml:3:", "seed", "integer"}},
+        Fault{"no_planner", no_planner.c_str(), {"x.toml:", "[[planner]]"}},
+        Fault{"unknown_planner", bad_planner.c_str(), {"astra", "'astar'"}},
+        Fault{"unknown_parameter", bad_param.c_str(), {"antz", "'ants'"}},
+        Fault{"value_out_of_range", bad_value.c_str(), {"ants", "1..100000", "'0'"}},
+        Fault{"unknown_choice", bad_choice.c_str(), {"dye", "'die'"}},
+        Fault{"select_is_no_list", bad_select.c_str(), {"x.toml:6:", "select"}},
+        Fault{"glob_without_match", bad_glob.c_str(), {"nothing-*/1"}},
+        Fault{"two_of_a_name", twins.c_str(), {"two planners", "'as'"}},
+        Fault{"name_with_a_slash", slash.c_str(), {"x.toml:2:", "a/b"}}),
     [](const auto& test) { return test.param.name; });
 
 }  // namespace
