@@ -5,7 +5,7 @@
 #include <cfenv>
 
 #if defined(__SSE2__)
-#include <xmmintrin.h>
+#include <immintrin.h>
 #endif
 
 namespace pathrace::bench {

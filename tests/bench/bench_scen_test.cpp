@@ -44,8 +44,10 @@ TEST_F(ScenJudging, AnOptimumOf0BetweenDifferentCellsIsUnknownAndProvenHere) {
   EXPECT_NE(run(unknown).out.find("stands for unknown"), std::string::npos);
   // From a cell to itself 0 is the optimum.
   EXPECT_EQ(report("0\tsmall.map\t4\t3\t0\t0\t0\t0\t0\n", 0)["proven_here"], 0);
-  // The straight way is blocked.
-  const Json wrong = report(unknown, 1, {"--planner", "straight"});
+  // A greedy walk ends in the cup.
+  map_ =
+      scratch_.file("small.map", "type octile\nheight 5\nwidth 5\nmap\n.....\n.@@@.\n...@.\n.@@@.\n.....\n");
+  const Json wrong = report("0\tsmall.map\t5\t5\t0\t2\t4\t2\t0\n", 1, {"--planner", "greedy"});
   EXPECT_EQ(wrong["mismatched"], 1);
 }
 

@@ -48,6 +48,13 @@ bool is_an_end(Verdict verdict) {
          verdict == Verdict::gave_up;
 }
 
+// Whether a condition ties the parameter to others, whose defaults may refuse both of its ends.
+bool is_bound(const PlannerCard& card, const std::string& parameter) {
+  return std::any_of(card.conditions.begin(), card.conditions.end(), [&](const ConditionCard& condition) {
+    return std::count(condition.parameters.begin(), condition.parameters.end(), parameter) > 0;
+  });
+}
+
 class Extremes : public ::testing::TestWithParam<std::string> {
  protected:
   // False when the call was refused.
@@ -76,7 +83,8 @@ TEST_P(Extremes, AreAnsweredOrRefused) {
     for (const std::string& value : values) {
       answered += answers(fmt::format("{}:{}={}", card.name, parameter.name, value), scenario) ? 1 : 0;
     }
-    EXPECT_TRUE(values.empty() || answered > 0) << card.name << ':' << parameter.name;
+    EXPECT_TRUE(values.empty() || answered > 0 || is_bound(card, parameter.name))
+        << card.name << ':' << parameter.name;
   }
 }
 

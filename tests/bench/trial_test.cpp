@@ -74,14 +74,25 @@ TEST(Trial, EachPlannerIsOverAtOnceWithoutTime) {
 }
 
 TEST(Trial, IsNoRecordOnceTheProcessIsAskedToStop) {
-  stop_requested.store(true);
-  EXPECT_THROW(trial_with_set_up([] { checkpoint(); }, {}), Interrupted);
-  const auto asks = [](const Problem& problem, Context& context) {
+  struct AskToStop {
+    AskToStop() { stop_requested.store(true); }
+    ~AskToStop() { stop_requested.store(false); }
+  };
+  const auto set_up = [] {
+    const AskToStop asked;
+    checkpoint();
+  };
+  EXPECT_THROW(trial_with_set_up(set_up, {}), Interrupted);
+  const auto told = [](const Problem& problem, Context& context) {
+    const AskToStop asked;
     return context.meter.exhausted() ? std::nullopt : right_answer(problem, context);
   };
-  EXPECT_THROW(trial_of(asks), Interrupted);
-  EXPECT_EQ(trial_of(right_answer).verdict, Verdict::solved);  // nobody was told to end
-  stop_requested.store(false);
+  EXPECT_THROW(trial_of(told), Interrupted);
+  const auto untold = [](const Problem& problem, Context& context) {
+    const AskToStop asked;
+    return right_answer(problem, context);
+  };
+  EXPECT_EQ(trial_of(untold).verdict, Verdict::solved);
 }
 
 TEST(Trial, ALegalPathIsSolvedAndMeasured) {

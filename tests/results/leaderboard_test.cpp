@@ -204,6 +204,7 @@ TEST(Leaderboard, RanksEachTrackFromOne) {
 TEST(Leaderboard, CountsTrialsThatGaveUpCrashedOrWereRefused) {
   Race race;
   TrialRow row = failed_row(0, "as", "dense/10-20/1");
+  row.optimum = 10;
   for (const auto& [verdict, times] : {std::pair(Verdict::gave_up, 1), std::pair(Verdict::crashed, 2),
                                        std::pair(Verdict::invalid, 3), std::pair(Verdict::budget, 4)}) {
     row.verdict = verdict;

@@ -61,9 +61,9 @@ constexpr std::pair<std::string_view, std::string_view> libraries[] = {
     {"benchmark/", "Google Benchmark"},
 };
 
-const Names posix = {"dirent.h", "fcntl.h", "fnmatch.h", "immintrin.h", "poll.h", "pthread.h",
-                     "pwd.h",    "sched.h", "signal.h",  "spawn.h",     "time.h", "unistd.h",
-                     "sys/",     "stdio.h", "termios.h", "errno.h"};
+const Names posix = {"dirent.h", "fcntl.h",   "immintrin.h", "poll.h", "pthread.h", "pwd.h",
+                     "sched.h",  "signal.h",  "spawn.h",     "time.h", "unistd.h",  "sys/",
+                     "stdio.h",  "termios.h", "errno.h",     "ext/",   "gnu/"};
 
 // What a file must not reach, neither by itself nor through another header.
 struct Ban {
