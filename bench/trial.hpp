@@ -17,8 +17,8 @@ class Ticker;
 /// thinks. `check_map`: the planner gets a copy of the map, and is `invalid` when it changes that. Throws
 /// Interrupted when the process is asked to stop and the planner was cut by that.
 ///
-/// A legal path that beats what is proven about the scenario is `invalid`: somebody errs, and nobody shall win
-/// by it. An empty answer is `budget` when the budget is spent, and `no_path` when it is a proof: the
+/// A legal path that beats what is proven about the scenario is `invalid`: somebody errs, and nobody shall
+/// win by it. An empty answer is `budget` when the budget is spent, and `no_path` when it is a proof: the
 /// scenario's, the planner's own (Meter::conclude), or the end of a complete search. Without either it is
 /// `gave_up`. A claim that there is no way against a proven optimum is `gave_up` with a note, and `invalid`
 /// for a complete search.
