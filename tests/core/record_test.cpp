@@ -109,7 +109,8 @@ TEST(Digest, DoesNotChangeWithTimesKeyOrCosts) {
   const std::uint64_t expected = digest(record());
   EXPECT_EQ(digest_after([](TrialRecord& r) { r.trace[0].wall_s = 9; }), expected);
   EXPECT_EQ(digest_after([](TrialRecord& r) { r.key = 78; }), expected);
-  EXPECT_EQ(digest_after([](TrialRecord& r) { r.costs = {1.5, 0.5, "tbb", 8, 4, true, {}, {}, {}, {}}; }), expected);
+  EXPECT_EQ(digest_after([](TrialRecord& r) { r.costs = {1.5, 0.5, "tbb", 8, 4, true, {}, {}, {}, {}}; }),
+            expected);
 }
 
 TEST(CampaignDigest, DoesNotDependOnTheOrderOfRows) {
